@@ -22,6 +22,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
+#include "lang/keys/option_parser.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -35,36 +37,6 @@ constexpr const char* statuses =
     "unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
     "module of the program is missing, or the port can't be had; 70 a fault of ours.";
-
-/// The English fragments of the option parser's messages, and their translations.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> option_faults{{
-    {"The following argument was not expected: ", "argomento inatteso: "},
-    {"The following arguments were not expected: ", "argomenti inattesi: "},
-    {" is required", " è obbligatorio"},
-    {" not in {", " non è fra {"},
-    {"Could not convert: ", "valore non valido: "},
-    {" required ", " valore richiesto: "},
-    {" missing", " mancante"},
-    {" excludes ", " esclude "},
-    {" requires ", " richiede "},
-    {" is not a number from ", " non è un numero da "},
-    {" is not a whole number from ", " non è un numero intero da "},
-    {" up to ", " fino a "},
-    {" is not NAME=VALUE", " non è NOME=VALORE"},
-    {" is not a share: a number from 0 to 1, or from 0% to 100%",
-     " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
-    {"20 to 1200", "20 a 1200"},
-    {"0 to 1", "0 a 1"},
-    {"A subcommand is required", "manca un comando"},
-}};
-
-/// A message of the option parser in Italian: its fragments are replaced in the table's order; other text stays.
-std::string translated(std::string text) {
-    for (const auto& [en, it] : option_faults)
-        for (std::size_t at = text.find(en); at != std::string::npos; at = text.find(en, at + it.size()))
-            text.replace(at, en.size(), it);
-    return text;
-}
 
 /// The command that was typed, ready to run.
 using Action = std::function<Status()>;
@@ -133,10 +105,14 @@ Language language_asked_for(int count, char** arguments) {
     return language_named(word);
 }
 
-void add_language(CLI::App& command, std::string& chosen, const char* help) {
+void add_language(CLI::App& command, std::string& chosen, const std::string& help) {
     std::vector<std::string> codes;
-    for (const Language language : languages) codes.push_back(code_of(language));
-    add_choice(command, "--lang", chosen, help, std::move(codes), "LANG");
+    std::string listed;
+    for (const Language language : languages) {
+        codes.push_back(code_of(language));
+        listed += (listed.empty() ? ": " : language == languages.back() ? " or " : ", ") + codes.back();
+    }
+    add_choice(command, "--lang", chosen, (help + listed).c_str(), std::move(codes), "LANG");
 }
 
 /// The option that replaces values of the file's parameters.
@@ -197,7 +173,7 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
 }
 
 void add_paper(CLI::App& command, SolveWords& words) {
-    add_language(command, words.language, "Language of sheet, table and messages: en or it");
+    add_language(command, words.language, "Language of sheet, table and messages");
     add_choice(command, "--paper", words.paper, "Size of the sheet: A4, A3 or letter", {"A4", "A3", "letter"}, "PAPER");
     add_choice(command, "--orientation", words.orientation, "How the sheet lies: landscape or portrait",
                {"landscape", "portrait"}, "HOW");
@@ -532,7 +508,7 @@ void add_check(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
     add_settings(*command, request->set);
-    add_language(*command, *language, "Language of messages: en or it");
+    add_language(*command, *language, "Language of messages");
     command->callback([&action, request, language] {
         request->language = language_named(*language);
         action = [request] { return check_command(*request); };
@@ -574,7 +550,7 @@ void add_diff(CLI::App& program, Action& action) {
         ->check(resolution_fits)
         ->type_name("N");
     auto language = std::make_shared<std::string>("en");
-    add_language(*command, *language, "Language of messages: en or it");
+    add_language(*command, *language, "Language of messages");
     command->callback([&action, request, language] {
         request->language = language_named(*language);
         action = [request] { return diff_command(*request); };
@@ -613,7 +589,7 @@ void add_equations(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
     add_settings(*command, request->set);
-    add_language(*command, *language, "Language: en or it");
+    add_language(*command, *language, "Language");
     add_choice(*command, "--format", request->format,
                "text, latex (a document) or json (matrices and unknowns by name)", {"text", "latex", "json"}, "FORMAT");
     command->callback([&action, request, language] {
@@ -632,7 +608,7 @@ void add_watch(CLI::App& program, Action& action) {
         ->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
         ->check(whole_number(0, 65535))
         ->type_name("N");
-    add_language(*command, *language, "The language that is shown first, and that of messages: en or it");
+    add_language(*command, *language, "The language that is shown first, and that of messages");
     command
         ->add_option(
             "--theme", request->theme,
@@ -672,12 +648,11 @@ Status run(int count, char** arguments, Language language) {
             named = named || command->get_name() == first;
         }
         if (!named) {
-            return refuse(
-                {"{0}; there are {1} (kinegraph --help says more)", "{0}; ci sono {1} (kinegraph --help dice di più)",
-                 first.empty() ? Words("a command is missing", "manca un comando")
-                               : Words("no command is named \"{0}\"", "nessun comando si chiama \"{0}\"", first),
-                 known},
-                language);
+            return refuse({lang::command_line::there_are_kinegraph_help_says_more,
+                           first.empty() ? Words(lang::command_line::a_command_is_missing)
+                                         : Words(lang::command_line::no_command_is_named, first),
+                           known},
+                          language);
         }
     }
     // Joins "--at every 30°" into one argument. CLI11 takes its arguments in reverse order.
@@ -697,10 +672,9 @@ Status run(int count, char** arguments, Language language) {
     } catch (const CLI::ParseError& error) {
         const auto given = program.get_subcommands();
         const std::string command = given.empty() ? "kinegraph" : "kinegraph " + given.front()->get_name();
-        const std::string english = error.what();
-        return refuse({"{0} ({1} --help says more)", "{0} ({1} --help dice di più)",
-                       Words(english, translated(english)), command},
-                      language);
+        return refuse(
+            {lang::command_line::help_says_more, library_message(error.what(), lang::option_parser_section), command},
+            language);
     }
     return action();
 }
@@ -717,17 +691,18 @@ void hold_standard_streams() {
 
 int main(int count, char** arguments) {
     using namespace kinegraph::app;
-    using kinegraph::Language;
+    using kinegraph::Language, kinegraph::Words;
+    namespace lang = kinegraph::lang;
     hold_standard_streams();
     // A closed pipe and a file size limit are reported as write errors.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
-    const Words ours("this is a fault of ours", "questo è un errore nostro");
+    const Words ours(lang::command_line::this_is_a_fault_of_ours_2);
     try {
         return static_cast<int>(run(count, arguments, language));
     } catch (const std::bad_alloc&) {
-        refuse(ours + Words(": out of memory", ": memoria esaurita"), language);
+        refuse(ours + Words(lang::command_line::out_of_memory), language);
     } catch (const std::exception& fault) {
         refuse(ours + std::string(": ") + std::string(fault.what()), language);
     } catch (...) {

@@ -46,7 +46,8 @@ std::string large_file(std::size_t megabytes) {
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "benchmark");
     if (!mechanism)
-        throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
+        throw std::runtime_error(mechanism.error().front().where + ": " +
+                                 mechanism.error().front().message.in(Language::en));
     return *std::move(mechanism);
 }
 

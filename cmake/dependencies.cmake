@@ -14,7 +14,7 @@ mark_as_advanced(CGAL_INCLUDE_DIR)
 
 # Include paths of our own sources: the folders, and the libraries that no public header uses.
 add_library(kinegraph_headers INTERFACE)
-target_include_directories(kinegraph_headers INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(kinegraph_headers INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 target_link_libraries(kinegraph_headers INTERFACE PkgConfig::gmp)
 target_include_directories(kinegraph_headers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
 target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Checks the dependencies of the folders: app → render → engine, app → constructions → engine. Within each of them every
+# Checks the dependencies of the folders: app → render → engine, app → constructions → engine, all → lang. Within each of them every
 # folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
 # numeric check only, cairo in its back end only; only the table of pairs and the check may name kinds of joints.
 #   boundaries_test.sh ROOT         prints every violation in the tree, one on each line; status 1 if there is one
@@ -38,13 +38,14 @@ unordered() {
 
 check() {
     cd "$1" || return 2
-    folders="engine constructions render app include tests bench"
+    folders="lang engine constructions render app include tests bench"
     floors=
     # shellcheck disable=SC2086 # lists of words
     all=$(find $folders -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
         xargs -r grep -nHE '^[[:space:]]*#[[:space:]]*include')
     # shellcheck disable=SC2086 # lists of words
     found=$(
+        includes '["<](engine|constructions|render|app|tests|bench)/' lang | breach "texts know no part of the product"
         includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other part"
         includes '["<](render|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
         includes '["<](app|tests|bench)/' render | breach "render knows nothing of app"
@@ -93,7 +94,7 @@ check() {
             grep -E '^app/(main\.cpp|(commands|files|server)/[^:]*):' |
             breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
-        includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
+        includes '"' $folders | grep -vE 'include[[:space:]]*"(lang|engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
             breach "own headers are written from the root"
         includes '["<]kinegraph/' engine constructions render |
             breach "the public face stands above engine, constructions and render"
@@ -150,6 +151,7 @@ if [ "$1" != --self-test ]; then
     exit
 fi
 failed=0
+seen "texts know" lang/words.cpp '"engine/number/b.hpp"'
 seen "engine knows" engine/board/a.cpp '"constructions/b.hpp"'
 seen "engine knows" engine/board/a.hpp '"render/b.hpp"'
 seen "engine alone" constructions/statics/a.hpp '"render/b.hpp"'

@@ -14,6 +14,7 @@
 #include "app/commands/in_order.hpp"
 #include "app/files/files.hpp"
 #include "app/files/line_reader.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -36,13 +37,9 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
 void sum_up(const BatchTally& tally, Language language) {
     const auto number = [](long count) { return std::to_string(count); };
     if (tally.resumed > 0)
-        refuse({"lines done before: {1} of {0}", "righe già svolte: {1} su {0}", number(tally.answered),
-                number(tally.resumed)},
-               language);
+        refuse({lang::command_line::lines_done_before, number(tally.answered), number(tally.resumed)}, language);
     if (tally.refused > 0)
-        refuse({"lines that could not be carried out: {1} of {0} (\"errors\" in their answers say why)",
-                "righe che non si sono potute svolgere: {1} su {0} (il perché è in \"errors\" nelle risposte)",
-                number(tally.answered), number(tally.refused)},
+        refuse({lang::command_line::lines_that_could_not_be_carried, number(tally.answered), number(tally.refused)},
                language);
 }
 
@@ -71,16 +68,14 @@ Status batch_command(const BatchRequest& request) {
         in_order.finish();
         signal = LineReader::signal();
         if (end == LineReader::Event::failed) {
-            say({"standard input", "ingresso standard"}, lines.why(), language);
+            say({lang::command_line::standard_input}, lines.why(), language);
             return Status::bad_input;
         }
     }
     sum_up(tally, language);
     if (failure) return fail_to_write(*failure, language);
     if (signal != 0) {
-        refuse({"stopped, lines answered: {0}; --resume does the rest",
-                "interrotto, righe svolte: {0}; --resume fa il resto", std::to_string(tally.answered)},
-               language);
+        refuse({lang::command_line::stopped_lines_answered_resume_does, std::to_string(tally.answered)}, language);
         std::raise(signal);
     }
     return Status::done;

@@ -8,6 +8,7 @@
 
 #include "app/commands/cache_record.hpp"
 #include "app/files/json_text.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -62,14 +63,14 @@ std::string BatchWorker::answer(const std::string& line) {
     Answer answer;
     const auto fault = [&](const char* what) {
         answer = {Status::fault};
-        const Words ours("this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what));
+        const Words ours(lang::command_line::this_is_a_fault_of_ours, std::string(what));
         refuse(ours, request_.defaults.language());
     };
     try {
         if (line.size() <= largest_input)
             static_cast<Request&>(read) = Request::parse(line, request_.defaults);
         else
-            read.faults = {{Diagnostic::Kind::bad_input, "", Words("is larger than 64 MiB", "supera 64 MiB")}};
+            read.faults = {{Diagnostic::Kind::bad_input, "", Words(lang::command_line::is_larger_than_64_mib)}};
         answer = carry_out(read);
     } catch (const std::exception& what) {
         fault(what.what());
@@ -89,9 +90,9 @@ std::string BatchWorker::answer(const std::string& line) {
 }
 
 BatchWorker::Answer BatchWorker::carry_out(SolveRequest& line) {
-    if (!line.faults.empty()) return {say({"the line", "la riga"}, line.faults, line.language())};
+    if (!line.faults.empty()) return {say({lang::command_line::the_line}, line.faults, line.language())};
     if (!line.text) {
-        auto text = read_whole(line.file, {"mechanism file", "file di meccanismo"});
+        auto text = read_whole(line.file, {lang::command_line::mechanism_file});
         if (!text) {
             say(spoken(line.file), text.error(), line.language());
             return {Status::bad_input};
@@ -106,9 +107,7 @@ bool BatchWorker::set_look(SolveRequest& line) {
     if (!theme_ || theme_name_ != line.theme) {
         theme_.reset();
         if (line.theme == "-") {
-            refuse({"a theme cannot come from standard input, which carries the lines",
-                    "un tema non può venire dall’ingresso standard, che porta le righe"},
-                   line.language());
+            refuse({lang::command_line::a_theme_cannot_come_from_standard}, line.language());
             return false;
         }
         DrawingOptions theme;

@@ -2,6 +2,7 @@
 // the file of a cam.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 
@@ -12,7 +13,7 @@ std::string bare_name(const std::string& file) {
 
 tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Language language,
                                                  const std::vector<ParameterValue>& set) {
-    const auto text = read_whole(file, {"mechanism file", "file di meccanismo"});
+    const auto text = read_whole(file, {lang::command_line::mechanism_file});
     if (!text) {
         say(spoken(file), text.error(), language);
         return tl::unexpected(Status::bad_input);
@@ -23,11 +24,7 @@ tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Langua
 }
 
 Words no_mechanism(const char* command) {
-    return {
-        "{0} is for mechanisms; this file has no joints, and \"solve\", \"check\" and \"variants\" alone "
-        "take it",
-        "{0} è per i meccanismi; questo file non ha coppie, e lo prendono solo \"solve\", \"check\" e \"variants\"",
-        std::string(command)};
+    return {lang::command_line::is_for_mechanisms_this_file, std::string(command)};
 }
 
 namespace {
@@ -42,11 +39,12 @@ Words contents_of(const MechanismFile& file) {
         return Words(std::to_string(count) + ' ') + (count == 1 ? one : more);
     };
     const MechanismFile::Counts counts = file.counts();
-    return {"{0}, {1}, {2}", "{0}, {1}, {2}",
-            counts.bodies == 1 ? Words("one body", "un corpo")
-                               : counted(counts.bodies, {"body", "corpo"}, {"bodies", "corpi"}),
-            counted(counts.joints, {"joint", "coppia"}, {"joints", "coppie"}),
-            counted(counts.drivers, {"driver", "movente"}, {"drivers", "moventi"})};
+    return formula_words(
+        "{0}, {1}, {2}",
+        {counts.bodies == 1 ? Words(lang::command_line::one_body)
+                            : counted(counts.bodies, {lang::command_line::body}, {lang::command_line::bodies}),
+         counted(counts.joints, {lang::command_line::joint}, {lang::command_line::joints}),
+         counted(counts.drivers, {lang::command_line::driver}, {lang::command_line::drivers})});
 }
 
 /// Whether the one fault is that a cam stands in the file.
@@ -56,7 +54,7 @@ Status check_cam(const std::string& text, const CheckRequest& request) {
     const Words name = spoken(request.file);
     const auto cam = CamFile::parse(text, bare_name(request.file));
     if (!cam) return say(name, cam.error(), request.language);
-    const Words line("{0}: in order (a cam)\n", "{0}: in ordine (una camma)\n", one_line(in(name, request.language)));
+    const Words line(lang::command_line::in_order_a_cam, one_line(in(name, request.language)));
     return print(in(line, request.language), request.language);
 }
 
@@ -65,7 +63,7 @@ Status check_cam(const std::string& text, const CheckRequest& request) {
 Status check_command(const CheckRequest& request) {
     const Language language = request.language;
     const Words name = spoken(request.file);
-    const auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+    const auto text = read_whole(request.file, {lang::command_line::mechanism_file});
     if (!text) {
         say(name, text.error(), language);
         return Status::bad_input;
@@ -75,8 +73,7 @@ Status check_command(const CheckRequest& request) {
     const auto remarks = file->check();
     if (!remarks) return say(name, remarks.error(), language);
     remark(name, *remarks, language);
-    const Words line("{0}: in order ({1})\n", "{0}: in ordine ({1})\n", one_line(in(name, language)),
-                     contents_of(*file));
+    const Words line(lang::command_line::in_order, one_line(in(name, language)), contents_of(*file));
     return print(in(line, language), language);
 }
 

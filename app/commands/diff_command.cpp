@@ -9,6 +9,7 @@
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "app/files/svg_picture.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -36,11 +37,11 @@ Status fails(const Side& side, const Words& why, Status status = Status::bad_inp
 /// Reads the bytes, and decodes them if they are a PNG.
 Status read_side(Side& side, const std::string& path) {
     side.name = spoken(path);
-    auto bytes = read_whole(path, {"picture", "disegno"});
+    auto bytes = read_whole(path, {lang::command_line::picture});
     if (!bytes) return fails(side, bytes.error());
     side.bytes = *std::move(bytes);
     if (!PngPicture::is_png(side.bytes)) {
-        if (!may_be_svg(side.bytes)) return fails(side, {"is neither PNG nor SVG", "non è né PNG né SVG"});
+        if (!may_be_svg(side.bytes)) return fails(side, {lang::command_line::is_neither_png_nor_svg});
         return Status::done;
     }
     auto picture = PngPicture::decode(side.bytes);
@@ -54,8 +55,8 @@ Status draw(Side& side, double dpi) {
     if (!png) return fails(side, png.error().why, png.error().status);
     auto picture = PngPicture::decode(*png);
     if (!picture)
-        return fails(side, {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)),
-                            picture.error().front().text});
+        return fails(
+            side, {lang::command_line::drawn_at_dpi, std::to_string(std::lround(dpi)), picture.error().front().text});
     side.picture = *std::move(picture);
     return Status::done;
 }
@@ -83,16 +84,13 @@ std::string verdict(const Side& expected, const Side& actual, const PictureCompa
     Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");
     const PngPicture &a = *expected.picture, &b = *actual.picture;
     const auto text = [](auto number) { return std::to_string(number); };
-    if (!have_same_size(a, b))
-        line += {"{0} pixels became {1}; ", "{0} pixel sono diventati {1}; ", size_of(a), size_of(b)};
+    if (!have_same_size(a, b)) line += {lang::command_line::pixels_became, size_of(a), size_of(b)};
     if (difference.differing == 0) {
-        line += {"the same", "uguali"};
+        line += {lang::command_line::the_same};
         if (difference.forgiven > 0)
-            line +=
-                {" but for antialiasing ({0} pixels)", " salvo l’antialiasing ({0} pixel)", text(difference.forgiven)};
+            line += {lang::command_line::but_for_antialiasing_pixels, text(difference.forgiven)};
     } else {
-        line += {"{0} % of the pixels differ ({1} of {2}), columns {3} to {4}, rows {5} to {6}",
-                 "il {0} % dei pixel è diverso ({1} su {2}), colonne da {3} a {4}, righe da {5} a {6}",
+        line += {lang::command_line::of_the_pixels_differ_of_columns,
                  digits(100 * difference.share()),
                  text(difference.differing),
                  text(static_cast<long>(difference.width) * difference.height),
@@ -101,9 +99,8 @@ std::string verdict(const Side& expected, const Side& actual, const PictureCompa
                  text(difference.top),
                  text(difference.bottom)};
         if (difference.forgiven > 0)
-            line +=
-                {"; {0} more by antialiasing alone", "; altri {0} solo per l’antialiasing", text(difference.forgiven)};
-        if (threshold > 0) line += {"; {0} % may", "; ammesso il {0} %", digits(100 * threshold)};
+            line += {lang::command_line::more_by_antialiasing_alone, text(difference.forgiven)};
+        if (threshold > 0) line += {lang::command_line::share_allowed, digits(100 * threshold)};
     }
     return in(line, language) + '\n';
 }
@@ -113,18 +110,11 @@ std::string verdict(const Side& expected, const Side& actual, const PictureCompa
 Status diff_command(const DiffRequest& request) {
     const Language language = request.language;
     if (request.expected == "-" && request.actual == "-")
-        return refuse({"standard input can be one of the two pictures only",
-                       "l’ingresso standard può essere uno solo dei due disegni"},
-                      language);
-    if (request.output == "-")
-        return refuse({"the difference picture needs a file: standard output carries the verdict",
-                       "il disegno delle differenze richiede un file: l’uscita standard porta il giudizio"},
-                      language);
+        return refuse({lang::command_line::standard_input_can_be_one_of}, language);
+    if (request.output == "-") return refuse({lang::command_line::the_difference_picture_needs_a_file}, language);
     for (const std::string& picture : {request.expected, request.actual})
         if (!request.output.empty() && same_file(request.output, picture))
-            return refuse({"-o {0} would overwrite a picture that is compared",
-                           "-o {0} sovrascriverebbe un disegno da confrontare", request.output},
-                          language);
+            return refuse({lang::command_line::o_would_overwrite_a_picture, request.output}, language);
     Side expected, actual;
     expected.language = actual.language = language;
     if (const Status status = read_side(expected, request.expected); status != Status::done) return status;

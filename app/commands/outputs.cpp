@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 
@@ -28,7 +29,7 @@ std::optional<Format> format_named(std::string name, std::span<const Format> for
 Words listed(std::span<const Format> formats, const std::string& before) {
     Words list;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) list += i + 1 == formats.size() ? Words(" or ", " o ") : Words(std::string(", "));
+        if (i > 0) list += i + 1 == formats.size() ? Words(lang::command_line::or_word) : Words(std::string(", "));
         list += before + std::string(format_names[static_cast<std::size_t>(formats[i])]);
     }
     return list;
@@ -59,26 +60,21 @@ tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::strin
     std::vector<Target> targets;
     for (const std::string& path : paths) {
         if (path.empty() || path.ends_with('/'))
-            return tl::unexpected(Words("-o \"{0}\" names no file", "-o \"{0}\" non indica un file", path));
+            return tl::unexpected(Words(lang::command_line::o_names_no_file, path));
         const std::size_t ending = ending_begins(path);
         std::optional<Format> found;
         if (path != "-" && ending < path.size()) found = format_named(path.substr(ending + 1), formats);
         if (!found) found = format_named(format, formats);
         if (!found && path == "-")
-            return tl::unexpected(Words("-o - needs --format {0}", "-o - richiede --format {0}", listed(formats, "")));
+            return tl::unexpected(Words(lang::command_line::o_needs_format, listed(formats, "")));
         if (!found)
-            return tl::unexpected(
-                Words("-o {0}: the ending does not say what to write; it may be {1} (or --format says it)",
-                      "-o {0}: l’estensione non dice che cosa scrivere; può essere {1} (o lo dice --format)", path,
-                      listed(formats, ".")));
+            return tl::unexpected(Words(lang::command_line::o_the_ending_does_not_say, path, listed(formats, ".")));
         for (const Target& other : targets)
             if (other.path == path)
-                return tl::unexpected(path == "-" ? Words("standard output can carry one output only",
-                                                          "l’uscita standard può portare un solo risultato")
-                                                  : Words("-o {0} is given twice", "-o {0} è dato due volte", path));
+                return tl::unexpected(path == "-" ? Words(lang::command_line::standard_output_can_carry_one_output)
+                                                  : Words(lang::command_line::o_is_given_twice, path));
         if (path != "-" && same_file(path, file))
-            return tl::unexpected(Words("-o {0} would overwrite the mechanism file itself",
-                                        "-o {0} sovrascriverebbe il file del meccanismo", path));
+            return tl::unexpected(Words(lang::command_line::o_would_overwrite_the_mechanism_file, path));
         targets.push_back({path, *found});
     }
     return targets;
@@ -90,21 +86,15 @@ bool any_drawn(const std::vector<Target>& targets) {
 
 std::optional<Status> set_theme(DrawingOptions& options, const std::string& name, const std::string& file) {
     const Language language = options.language;
-    if (name == "-" && file == "-")
-        return refuse({"standard input can be the mechanism file or the theme, not both",
-                       "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
-                      language);
+    if (name == "-" && file == "-") return refuse({lang::command_line::standard_input_can_be_the_mechanism}, language);
     const std::vector<std::string> names = theme_names();
     options.theme = name;
     if (std::find(names.begin(), names.end(), name) != names.end()) return std::nullopt;
-    auto text = read_whole(name, {"theme file", "file di tema"});
+    auto text = read_whole(name, {lang::command_line::theme_file});
     if (!text) {
         std::string known;
         for (const std::string& each : names) known.append(known.empty() ? "" : ", ").append(each);
-        say(spoken(name),
-            {"{0} (--theme is one of {1}, or the path of a theme file)",
-             "{0} (--theme è uno fra {1}, o il percorso di un file di tema)", text.error(), known},
-            language);
+        say(spoken(name), {lang::command_line::theme_is, text.error(), known}, language);
         return Status::bad_input;
     }
     if (const auto fits = check_theme(*text); !fits) return say(spoken(name), fits.error(), language);
@@ -116,15 +106,11 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            refuse({"two outputs of this run would both be {0}",
-                    "due risultati di questo comando sarebbero entrambi {0}", outputs[i].path},
-                   language);
+            refuse({lang::command_line::two_outputs_of_this_run, outputs[i].path}, language);
             return true;
         }
         if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
-            refuse({"{0} would overwrite the mechanism file itself; give the output another name",
-                    "{0} sovrascriverebbe il file del meccanismo; dare al risultato un altro nome", outputs[i].path},
-                   language);
+            refuse({lang::command_line::would_overwrite_the_mechanism_file_itself, outputs[i].path}, language);
             return true;
         }
     }
@@ -156,12 +142,7 @@ std::optional<Status> print(const Drawing& drawing, const Target& target, const 
             if (const auto failed = add(target.path_of_page(page), drawing.png(page, printing.dpi))) return failed;
     }
     if (count < drawing.pages())
-        remarks.push_back(
-            Words("the sheet has {0} pages and standard output carries the first only; a PDF has them "
-                  "all, and so has -o with a name",
-                  "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, "
-                  "e così -o con un nome",
-                  std::to_string(drawing.pages())));
+        remarks.push_back(Words(lang::command_line::the_sheet_has_pages_and_standard, std::to_string(drawing.pages())));
     return std::nullopt;
 }
 

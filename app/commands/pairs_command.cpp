@@ -5,6 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -31,16 +32,13 @@ Status write_targets(const PairsRequest& request, const std::vector<Target>& tar
     std::vector<Text> remarks;
     const bool draws = any_drawn(targets);
     if (draws && !request.file.empty())
-        return refuse(
-            {"what pairs draws is the catalogue; leave {0} out, or have its pairs as .json",
-             "ciò che pairs disegna è il catalogo; togliere {0}, o chiederne le coppie in .json", request.file},
-            language);
+        return refuse({lang::command_line::what_pairs_draws_is_the_catalogue, request.file}, language);
     std::optional<Drawing> catalogue;
     if (draws) {
         DrawingOptions options = request.sheet;
         if (const auto status = set_theme(options, request.theme, request.file)) return *status;
         auto drawn = draw_pair_catalogue(options);
-        if (!drawn) return cannot_draw({"pairs", "pairs"}, drawn.error(), language);
+        if (!drawn) return cannot_draw({lang::command_line::pairs}, drawn.error(), language);
         catalogue = *std::move(drawn);
     }
     for (const Target& target : targets) {
@@ -58,7 +56,7 @@ Status write_targets(const PairsRequest& request, const std::vector<Target>& tar
         for (Text& each : catalogue->remarks()) remarks.push_back(std::move(each));
     if (names_clash(outputs, request.file, language)) return Status::bad_input;
     if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language);
-    remark({"pairs", "pairs"}, remarks, language);
+    remark({lang::command_line::pairs}, remarks, language);
     return Status::done;
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/solved.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -55,13 +56,10 @@ Words meaningless(const SolveRequest& request) {
     const bool solution = drawing.sheet == Sheet::solution, brief = drawing.detail == Detail::brief;
     const char* const sheet = drawing.sheet == Sheet::question ? "question" : "answers";
     const auto both = [](const std::string& one, const std::string& other) {
-        return Words("{0} and {1} exclude each other: leave one of them out",
-                     "{0} e {1} si escludono: togliere una delle due", one, other);
+        return Words(lang::command_line::and_exclude_each_other_leave, one, other);
     };
     const std::string kind = std::string("--sheet ") + sheet;
-    if (drawing.grid && drawing.sheet != Sheet::question)
-        return {"--grid is for the question: add --sheet question",
-                "--grid è per la domanda: aggiungere --sheet question"};
+    if (drawing.grid && drawing.sheet != Sheet::question) return {lang::command_line::grid_is_for_the_question_add};
     if (!solution && brief) return both(kind, "--detail brief");
     if (!drawing.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
     if (drawing.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
@@ -81,10 +79,7 @@ Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>
                               : request.drawing.sheet != Sheet::solution ? "--sheet"
                                                                          : nullptr;
     if (other == nullptr) return {};
-    return {
-        "{0} has no meaning for a live page, which has every figure and every step: ask for .html in a run of its own",
-        "{0} non ha senso per una pagina viva, che ha ogni figura e ogni passo: chiedere .html in un comando a parte",
-        std::string(other)};
+    return {lang::command_line::has_no_meaning_for_a_live, std::string(other)};
 }
 
 /// Remarks on options that have no effect.
@@ -100,41 +95,29 @@ std::vector<Text> remarks_on_request(const SolveRequest& request, const Solved& 
     std::vector<Text> remarks;
     if (wants(request, "joukowsky")) {
         if (const auto why = solved.why_without(Solved::Addition::lever))
-            remarks.push_back(Words("no lever: {0}", "nessuna leva: {0}", *why));
+            remarks.push_back(Words(lang::command_line::no_lever, *why));
         else if (!draws)
-            remarks.push_back(Words("--with joukowsky adds to the sheet only, and none is asked for",
-                                    "--with joukowsky aggiunge solo al foglio, e nessuno è richiesto"));
+            remarks.push_back(Words(lang::command_line::with_joukowsky_adds_to_the_sheet));
     }
     if (wants(request, "equations"))
         if (const auto why = solved.why_without(Solved::Addition::equations))
-            remarks.push_back(Words("no equations: {0}", "nessuna equazione: {0}", *why));
+            remarks.push_back(Words(lang::command_line::no_equations, *why));
     if (wants(request, "virtual work"))
         if (const auto why = solved.why_without(Solved::Addition::virtual_work))
-            remarks.push_back(Words("no virtual work: {0}", "niente lavori virtuali: {0}", *why));
+            remarks.push_back(Words(lang::command_line::no_virtual_work, *why));
     struct WithoutEffect {
         bool is;
         Words remark;
     };
     const DrawingOptions& drawing = request.drawing;
     for (const WithoutEffect& each : std::vector<WithoutEffect>{
-             {!drawing.figure.empty() && !draws,
-              {"--figure chooses what is drawn, and no drawing is asked for",
-               "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"}},
+             {!drawing.figure.empty() && !draws, {lang::command_line::figure_chooses_what_is_drawn}},
              {request.lettering == Lettering::live && none_is({Format::svg, Format::pdf}),
-              {"--text says how SVG and PDF carry their words, and neither is asked for",
-               "--text dice come SVG e PDF portano le loro parole, e nessuno dei due è richiesto"}},
-             {drawing.steps && !draws,
-              {"--steps adds pages to what is drawn, and no drawing is asked for",
-               "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"}},
-             {drawing.sheet != Sheet::solution && !draws,
-              {"--sheet chooses what is drawn, and no drawing is asked for",
-               "--sheet sceglie che cosa si disegna, e nessun disegno è richiesto"}},
-             {drawing.detail == Detail::brief && !draws,
-              {"--detail says how much is drawn, and no drawing is asked for",
-               "--detail dice quanto si disegna, e nessun disegno è richiesto"}},
-             {request.exact && none_is({Format::json}),
-              {"--exact adds to the JSON results only, and none are asked for",
-               "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"}}})
+              {lang::command_line::text_says_how_svg_and_pdf}},
+             {drawing.steps && !draws, {lang::command_line::steps_adds_pages_to_what}},
+             {drawing.sheet != Sheet::solution && !draws, {lang::command_line::sheet_chooses_what_is_drawn}},
+             {drawing.detail == Detail::brief && !draws, {lang::command_line::detail_says_how_much_is_drawn}},
+             {request.exact && none_is({Format::json}), {lang::command_line::exact_adds_to_the_json_results}}})
         if (each.is) remarks.push_back(each.remark);
     return remarks;
 }
@@ -180,7 +163,7 @@ private:
     std::optional<Status> not_drawn(Diagnostics faults) const {
         // The theme has been read before: what is wrong without a place in the file is the name of the figure.
         if (faults.front().kind == Diagnostic::Kind::bad_input && faults.front().place.empty())
-            faults.front().text = Words("--figure ", "--figure ") + faults.front().text;
+            faults.front().text = Words(lang::command_line::figure) + faults.front().text;
         return cannot_draw(spoken(request_.file), faults, request_.language());
     }
     std::optional<Status> pages(const Target& target, std::vector<Text>& remarks) {
@@ -196,9 +179,7 @@ private:
         for (std::size_t i = 0; i < (target.standard() ? 1 : solved_.size()); ++i)
             outcome_.outputs.push_back({target.path_of_page(i), solved_[i].json(request_.exact)});
         if (target.standard() && solved_.size() > 1)
-            outcome_.remarks.push_back(
-                Words("standard output carries the first position only; -o with a name writes them all",
-                      "l’uscita standard porta solo la prima posizione; -o con un nome le scrive tutte"));
+            outcome_.remarks.push_back(Words(lang::command_line::standard_output_carries_the_first_position));
         return std::nullopt;
     }
 
@@ -224,7 +205,7 @@ tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std:
     const Language language = request.language();
     if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
     auto text = request.text ? tl::expected<std::string, Words>(*request.text)
-                             : read_whole(request.file, {"mechanism file", "file di meccanismo"});
+                             : read_whole(request.file, {lang::command_line::mechanism_file});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return tl::unexpected(Status::bad_input);

@@ -6,6 +6,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/progress.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -16,18 +17,14 @@ tl::expected<SweepOptions, Words> options_of(const SweepRequest& request) {
     options.dashes = "--";
     if (!request.drivers.empty()) options.driver = request.drivers.front();
     if (!options.over.empty()) {
-        if (request.step.size() > 1) return tl::unexpected(Words("--step is given twice", "--step è dato due volte"));
+        if (request.step.size() > 1) return tl::unexpected(Words(lang::command_line::step_is_given_twice));
         if (!request.step.empty()) options.step = request.step.front();
         return options;
     }
     const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
     if (more != request.step.size())
-        return tl::unexpected(Words(
-            "--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and "
-            "{1} are given; the number of steps is --steps)",
-            "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne "
-            "sono dati {0} e {1}; il numero dei passi è --steps)",
-            std::to_string(more), std::to_string(request.step.size())));
+        return tl::unexpected(
+            Words(lang::command_line::step_is_of_a_driver, std::to_string(more), std::to_string(request.step.size())));
     for (std::size_t i = 0; i < more; ++i) options.along.push_back({request.drivers[i + 1], request.step[i]});
     return options;
 }
@@ -35,11 +32,8 @@ tl::expected<SweepOptions, Words> options_of(const SweepRequest& request) {
 /// Remarks on options that add to a drawing where none is asked for.
 std::vector<Text> remarks_on(const SweepOptions& options) {
     if (options.plots.empty() && options.traces.empty() && options.poses == 0) return {};
-    if (!options.over.empty())
-        return {Words("--plot adds to the drawing, and none is asked for",
-                      "--plot aggiunge al disegno, e nessuno è richiesto")};
-    return {Words("--plot, --trace and --poses add to the drawing, and none is asked for",
-                  "--plot, --trace e --poses aggiungono al disegno, e nessuno è richiesto")};
+    if (!options.over.empty()) return {Words(lang::command_line::plot_adds_to_the_drawing)};
+    return {Words(lang::command_line::plot_trace_and_poses_add)};
 }
 
 /// Computes the rows and writes them to their files; a status after an error was reported.
@@ -115,9 +109,7 @@ Status sweep_command(const SweepRequest& request) {
     };
     if (moves && !file->has_joints()) return wrong(spoken(request.file), no_mechanism("sweep"));
     if (any_drawn(*targets) && !file->has_joints())
-        return wrong(spoken(request.file),
-                     {"plots are of a mechanism; of this problem ask for CSV or JSON",
-                      "i diagrammi sono di un meccanismo; di questo problema chiedere CSV o JSON"});
+        return wrong(spoken(request.file), {lang::command_line::plots_are_of_a_mechanism});
     // Which values a parameter takes is the command line's alone; how a driver moves depends on the file.
     const Words name = moves ? spoken(request.file) : Words(std::string("kinegraph"));
     const auto options = options_of(request);

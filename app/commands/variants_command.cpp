@@ -22,6 +22,7 @@
 #include "app/commands/outputs.hpp"
 #include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -68,8 +69,8 @@ public:
         shown_ = true;
         const std::chrono::duration<double> taken = now - begun_;
         const double left = taken.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
-        const Words line("{0} of {1}, {2} s left", "{0} di {1}, mancano {2} s", std::to_string(done),
-                         std::to_string(all_), std::to_string(static_cast<long>(left + 1)));
+        const Words line(lang::command_line::of_s_left, std::to_string(done), std::to_string(all_),
+                         std::to_string(static_cast<long>(left + 1)));
         std::fprintf(stderr, "\r\x1b[K%s", in(line, language_).c_str());
     }
 
@@ -240,11 +241,7 @@ private:
         if (!unreadable) return not_drawn(unreadable.error());
         std::string names;
         for (const std::string& each : *unreadable) names += (names.empty() ? "" : ", ") + each;
-        if (!names.empty())
-            line({"{0}: at the scales of its figures a reading says nothing of {1}: zero and the wrong sign pass",
-                  "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno "
-                  "opposto",
-                  number, names});
+        if (!names.empty()) line({lang::command_line::at_the_scales_of_its_figures, number, names});
         return std::nullopt;
     }
 
@@ -272,9 +269,7 @@ private:
     std::optional<Status> put(const std::vector<Output>& outputs) {
         for (const Output& each : outputs) {
             if (same_file(each.path, request_.file) || same_file(each.path, request_.roster))
-                return refuse({"{0} would be written over; choose another folder",
-                               "{0} sarebbe sovrascritto; scegliere un’altra cartella", each.path},
-                              language());
+                return refuse({lang::command_line::would_be_written_over_choose_another, each.path}, language());
         }
         const auto failure = write_all(outputs);
         return failure ? not_put(*failure) : std::nullopt;
@@ -283,13 +278,8 @@ private:
     std::optional<Status> not_put(const NotWritten& failure) const {
         const Status status = fail_to_write(failure, language());
         const bool one = count_ == 1;
-        line(
-            {one ? "{0} of {1} variant is in {2}, whole; its key is missing, --resume writes the rest"
-                 : "{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
-             one ? "{0} di {1} variante è in {2}, intera; manca la chiave con le soluzioni, --resume scrive il resto"
-                 : "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume "
-                   "scrive il resto",
-             std::to_string(key_.size()), std::to_string(count_), request_.folder});
+        line({one ? lang::command_line::one_variant_is_whole : lang::command_line::variants_are_whole,
+              std::to_string(key_.size()), std::to_string(count_), request_.folder});
         return status;
     }
 
@@ -314,12 +304,11 @@ private:
     }
 
     static Words variants(std::size_t count) {
-        return {count == 1 ? "1 variant" : "{0} variants", count == 1 ? "1 variante" : "{0} varianti",
-                std::to_string(count)};
+        return {count == 1 ? lang::command_line::one_variant : lang::command_line::variants, std::to_string(count)};
     }
     Words combinations() const {
         const std::uint64_t count = variants_.combinations();
-        return {count == 1 ? "1 combination" : "{0} combinations", count == 1 ? "1 combinazione" : "{0} combinazioni",
+        return {count == 1 ? lang::command_line::one_combination : lang::command_line::combinations,
                 std::to_string(count)};
     }
 
@@ -327,41 +316,32 @@ private:
         if (!missing_.empty())
             remark(spoken(request_.file), {remark_on_missing({missing_.begin(), missing_.end()})}, language());
         const bool one = variants_.looked_at() == 1;
-        line({one ? "{0} in {1}; {2} of {3} was looked at" : "{0} in {1}; {2} of {3} were looked at",
-              one ? "{0} in {1}; è stata esaminata {2} di {3}" : "{0} in {1}; sono state esaminate {2} di {3}",
-              variants(key_.size()), request_.folder, std::to_string(variants_.looked_at()), combinations()});
+        line({one ? lang::command_line::one_was_looked : lang::command_line::were_looked, variants(key_.size()),
+              request_.folder, std::to_string(variants_.looked_at()), combinations()});
         if (there_before_ == 1)
-            line({"one of them was there, whole, and stayed", "una di esse c’era già, intera, ed è rimasta"});
+            line({lang::command_line::one_of_them_was_there_whole});
         else if (there_before_ > 0)
-            line({"{0} of them were there, whole, and stayed", "{0} di esse c’erano già, intere, e sono rimaste",
-                  std::to_string(there_before_)});
+            line({lang::command_line::of_them_were_there_whole, std::to_string(there_before_)});
         if (taken_away_.size() == 1)
-            line({"{0} of an earlier run is taken away, for the key does not list it",
-                  "tolta la {0} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front()});
+            line({lang::command_line::of_an_earlier_run_is_taken, taken_away_.front()});
         else if (!taken_away_.empty())
-            line({"{0} to {1} of an earlier run are taken away, for the key does not list them",
-                  "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca",
-                  taken_away_.front(), taken_away_.back()});
+            line({lang::command_line::to_of_an_earlier_run, taken_away_.front(), taken_away_.back()});
         for (const ExerciseVariants::Rejection& each : variants_.rejections())
-            line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}",
+            line({each.count == 1 ? lang::command_line::one_rejected : lang::command_line::rejected,
                   std::to_string(each.count), each.why});
         if (const int signal = Stopping::asked(); signal != 0) {
-            line({"stopped: what is there is whole; --resume writes the rest",
-                  "interrotto: ciò che c’è è intero; --resume scrive il resto"});
+            line({lang::command_line::stopped_what_is_there_is_whole});
             std::signal(signal, SIG_DFL);
             std::raise(signal);
         }
         if (key_.size() == count_) return Status::done;
-        const Words wanted(count_ == 1 ? "one was asked for" : "{0} were asked for",
-                           count_ == 1 ? "ne è chiesta una" : "ne sono chieste {0}", std::to_string(count_));
+        const Words wanted(count_ == 1 ? lang::command_line::one_was_asked : lang::command_line::were_asked,
+                           std::to_string(count_));
         if (variants_.looked_at() == variants_.combinations())
-            line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}",
-                  std::to_string(key_.size()), combinations(), wanted});
+            line({lang::command_line::the_conditions_leave, std::to_string(key_.size()), combinations(), wanted});
         else
-            line({"the conditions leave too few: {0} found, then {1} combinations one after the other failed; {2}",
-                  "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le "
-                  "soddisfano; {2}",
-                  std::to_string(key_.size()), std::to_string(ExerciseVariants::most_in_a_row), wanted});
+            line({lang::command_line::the_conditions_leave_too_few_found, std::to_string(key_.size()),
+                  std::to_string(ExerciseVariants::most_in_a_row), wanted});
         return Status::unsolved;
     }
 
@@ -382,7 +362,7 @@ private:
 /// The names of the roster; empty without a roster. A status after an error was reported.
 tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& request) {
     if (request.roster.empty()) return std::vector<std::string>();
-    const auto text = read_whole(request.roster, {"roster", "elenco"});
+    const auto text = read_whole(request.roster, {lang::command_line::roster});
     const auto names = text ? read_roster(*text) : tl::unexpected(text.error());
     if (names) return *names;
     say(spoken(request.roster), names.error(), request.sheet.language);
@@ -405,27 +385,20 @@ std::optional<Status> folder_fails(const VariantsRequest& request) {
 Status variants_command(const VariantsRequest& request) {
     const Language language = request.sheet.language;
     if (request.merge && request.format != "pdf")
-        return refuse(
-            {"--merge makes PDF; take --format {0} out", "--merge fa PDF; togliere --format {0}", request.format},
-            language);
+        return refuse({lang::command_line::merge_makes_pdf_take_format_out, request.format}, language);
     if (request.file == "-" && request.roster == "-")
-        return refuse({"standard input can be the mechanism file or the roster, not both",
-                       "l’ingresso standard può essere il file del meccanismo o l’elenco, non entrambi"},
-                      language);
+        return refuse({lang::command_line::standard_input_can_be_the_mechanism_file}, language);
     const auto names = names_of(request);
     if (!names) return names.error();
     const std::size_t count = request.count > 0 ? static_cast<std::size_t>(request.count) : names->size();
-    if (count == 0)
-        return refuse({"how many variants? give --count, or --roster", "quante varianti? dare --count, o --roster"},
-                      language);
+    if (count == 0) return refuse({lang::command_line::how_many_variants_give_count}, language);
     if (count < names->size())
         return refuse(
-            {"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
-             std::to_string(count), std::to_string(names->size())},
+            {lang::command_line::count_is_fewer_than_the_names, std::to_string(count), std::to_string(names->size())},
             language);
     DrawingOptions options = request.sheet;
     if (const auto status = set_theme(options, request.theme, request.file)) return *status;
-    auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+    auto text = read_whole(request.file, {lang::command_line::mechanism_file});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return Status::bad_input;
@@ -435,14 +408,7 @@ Status variants_command(const VariantsRequest& request) {
     for (const std::string& varied : variants->parameters())
         if (std::any_of(request.set.begin(), request.set.end(),
                         [&](const ParameterValue& each) { return each.name == varied; }))
-            return refuse({"--set {0}: {0} varies in this exercise, and a value set would be lost; set another "
-                           "parameter, or take "
-                           "{0} out of \"vary\"",
-                           "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro "
-                           "parametro, o "
-                           "togliere {0} da \"vary\"",
-                           varied},
-                          language);
+            return refuse({lang::command_line::set_varies_in_this_exercise, varied}, language);
     if (const auto status = folder_fails(request)) return *status;
     return Run(request, *std::move(text), *std::move(variants), *names, count, std::move(options)).carry_out();
 }

@@ -18,6 +18,7 @@
 #include "app/files/files.hpp"
 #include "app/server/local_server.hpp"
 #include "app/server/watched_file.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -130,8 +131,8 @@ void tell(const WatchRequest& request, const Watched& watched) {
     for (const FileFault& fault : watched.faults) {
         Diagnostic& said = faults.emplace_back(fault.fault);
         if (fault.place)
-            said.text = Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}",
-                              std::to_string(fault.place->line), std::to_string(fault.place->column), fault.fault.text);
+            said.text = Words(lang::command_line::line_column, std::to_string(fault.place->line),
+                              std::to_string(fault.place->column), fault.fault.text);
     }
     say(spoken(request.file), faults, request.language);
 }
@@ -150,12 +151,11 @@ void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruptio
 }
 
 Words why_not_watched(const std::string& file) {
-    if (file == "-")
-        return {"watch needs a file that can be saved again", "watch vuole un file che si possa salvare di nuovo"};
+    if (file == "-") return {lang::command_line::watch_needs_a_file};
     struct stat status {};
     if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-        return {"is no plain file, which could be saved again", "non è un file comune, che si possa salvare di nuovo"};
-    const auto text = read_whole(file, {"mechanism file", "file di meccanismo"});
+        return {lang::command_line::is_no_plain_file_which_could};
+    const auto text = read_whole(file, {lang::command_line::mechanism_file});
     return text ? Words() : text.error();
 }
 
@@ -175,10 +175,7 @@ Status watch_command(const WatchRequest& request) {
     if (!waiting) return cannot_draw(spoken(request.file), waiting.error(), language);
     auto server = LocalServer::open(request.port);
     if (!server) {
-        refuse({"port {0} of 127.0.0.1 cannot be had: {1}; choose another, or none",
-                "la porta {0} di 127.0.0.1 non si può avere: {1}; sceglierne un’altra, o nessuna",
-                std::to_string(request.port), server.error()},
-               language);
+        refuse({lang::command_line::port_of_127_0_0_1, std::to_string(request.port), server.error()}, language);
         return Status::output;
     }
     const Interruption interruption;

@@ -1,5 +1,6 @@
 // Reads whole files and writes all files or none, by plain POSIX calls. Every call is checked.
 #include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -22,20 +23,19 @@
 namespace kinegraph::app {
 namespace {
 
-/// The system's error message; the most frequent ones also in Italian.
+/// The system's error message; the most frequent ones in the language of the reader.
 Words reason() {
-    const std::string english = std::strerror(errno);
     switch (errno) {
-        case ENOENT: return {english, "file o cartella inesistente"};
-        case EACCES:
-        case EPERM: return {english, "permesso negato"};
-        case EISDIR: return {english, "è una cartella"};
-        case ENOTDIR: return {english, "non è una cartella"};
-        case ENOSPC: return {english, "spazio esaurito sul disco"};
-        case EROFS: return {english, "disco di sola lettura"};
-        case EFBIG: return {english, "file troppo grande"};
-        case EPIPE: return {english, "nessuno legge più"};
-        default: return english;
+        case ENOENT: return lang::command_line::no_such_file;
+        case EACCES: return lang::command_line::permission_denied;
+        case EPERM: return lang::command_line::not_permitted;
+        case EISDIR: return lang::command_line::is_a_directory;
+        case ENOTDIR: return lang::command_line::not_a_directory;
+        case ENOSPC: return lang::command_line::no_space_left;
+        case EROFS: return lang::command_line::read_only;
+        case EFBIG: return lang::command_line::file_too_large;
+        case EPIPE: return lang::command_line::broken_pipe;
+        default: return std::string(std::strerror(errno));
     }
 }
 
@@ -265,7 +265,7 @@ private:
 /// The error of the last system call.
 NotWritten not_written(const std::string& path) {
     const Words why = reason();
-    return {path == "-" ? Words("standard output", "uscita standard") : Words(path), why};
+    return {path == "-" ? Words(lang::command_line::standard_output) : Words(path), why};
 }
 
 }  // namespace
@@ -273,13 +273,13 @@ NotWritten not_written(const std::string& path) {
 tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind) {
     const bool standard = path == "-";
     const int file = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return tl::unexpected(Words("cannot be read: {0}", "non si può leggere: {0}", reason()));
+    if (file < 0) return tl::unexpected(Words(lang::command_line::cannot_be_read, reason()));
     struct stat status {};
     const bool known = ::fstat(file, &status) == 0;
     std::string text;
     Words why;
     if (known && S_ISDIR(status.st_mode)) {
-        why = {"is a directory, not a {0}", "è una cartella, non un {0}", kind};
+        why = {lang::command_line::is_a_directory_not, kind};
     } else {
         const std::size_t expected = known && S_ISREG(status.st_mode)
                                          ? std::min(static_cast<std::size_t>(status.st_size), largest_input)
@@ -295,10 +295,8 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
                 ::poll(&input, 1, -1);
                 continue;
             }
-            if (got < 0 && errno != EINTR) why = {"cannot be read: {0}", "non si può leggere: {0}", reason()};
-            if (size > largest_input)
-                why = {"is larger than 64 MiB, more than is read of a {0}",
-                       "supera 64 MiB, più di quanto si legga di un {0}", kind};
+            if (got < 0 && errno != EINTR) why = {lang::command_line::cannot_be_read, reason()};
+            if (size > largest_input) why = {lang::command_line::is_larger_than_64_mib_more, kind};
             if (size == text.size()) text.resize(2 * size);
         }
         text.resize(size);
@@ -391,7 +389,7 @@ Status print(const std::string& text, Language language) {
 }
 
 Status fail_to_write(const NotWritten& failure, Language language) {
-    say(failure.path, {"cannot be written: {0}", "non si può scrivere: {0}", failure.why}, language);
+    say(failure.path, {lang::command_line::cannot_be_written, failure.why}, language);
     return Status::output;
 }
 

@@ -1,4 +1,5 @@
 #include "app/files/line_reader.hpp"
+#include "lang/keys/command_line.hpp"
 
 #include <poll.h>
 #include <pthread.h>
@@ -87,7 +88,7 @@ bool LineReader::fill() {
         buffer_.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
         if (got > 0) return true;
         if (got < 0 && error == EINTR) continue;
-        if (got < 0) why_ = Words("cannot be read: {0}", "non si può leggere: {0}", std::string(std::strerror(error)));
+        if (got < 0) why_ = Words(lang::command_line::cannot_be_read, std::string(std::strerror(error)));
         last_ = got < 0 ? Event::failed : Event::end;
         return false;
     }

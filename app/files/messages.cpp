@@ -1,5 +1,6 @@
 // Messages on standard error.
 #include "app/files/messages.hpp"
+#include "lang/keys/command_line.hpp"
 
 #include <cstdio>
 #include <stdexcept>
@@ -40,9 +41,7 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-Words spoken(const std::string& file) {
-    return file == "-" ? Words("standard input", "ingresso standard") : Words(file);
-}
+Words spoken(const std::string& file) { return file == "-" ? Words(lang::command_line::standard_input) : Words(file); }
 
 void say(const Words& subject, const Words& message, Language language) {
     std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language));
@@ -71,11 +70,11 @@ Status say(const Words& file, const Diagnostics& faults, Language language) {
 }
 
 void remark(const Words& subject, const std::vector<Text>& remarks, Language language) {
-    for (const Text& each : remarks) say(subject, Words("remark: {0}", "osservazione: {0}", each), language);
+    for (const Text& each : remarks) say(subject, Words(lang::command_line::remark, each), language);
 }
 
 void say_unsolved(const Words& subject, const Text& what, const Text& why, Language language) {
-    say(subject, Words("unsolved: {0}: {1}", "non determinato: {0}: {1}", what, why), language);
+    say(subject, Words(lang::command_line::unsolved, what, why), language);
 }
 
 }  // namespace kinegraph::app

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/wording.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph::app {
 

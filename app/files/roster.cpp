@@ -1,5 +1,6 @@
 // Rosters: see roster.hpp.
 #include "app/files/roster.hpp"
+#include "lang/keys/command_line.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,10 +101,9 @@ std::optional<std::vector<std::string>> fields_of(std::string_view line) {
 Words unreadable(std::string_view line) {
     for (std::size_t i = 0; i < line.size();) {
         const std::size_t length = character_length(line.substr(i));
-        if (length == 0) return {"this is no UTF-8; save it as such", "non è UTF-8; salvarlo come tale"};
+        if (length == 0) return {lang::command_line::this_is_no_utf_8_save};
         const auto code = static_cast<unsigned char>(line[i]);
-        if ((code < 0x20 && code != '\t') || code == 0x7F)
-            return {"a control character can be no name", "un carattere di controllo non può essere un nome"};
+        if ((code < 0x20 && code != '\t') || code == 0x7F) return {lang::command_line::a_control_character_can_be_no};
         i += length;
     }
     return {};
@@ -121,7 +121,7 @@ public:
     Words add(std::size_t line, std::string_view text) {
         if (Words why = unreadable(text); !why.empty()) return why;
         const auto fields = fields_of(text);
-        if (!fields) return {"a quote is not closed", "le virgolette non sono chiuse"};
+        if (!fields) return {lang::command_line::a_quote_is_not_closed};
         std::string name;
         for (const std::string& field : *fields)
             if (!field.empty()) name += (name.empty() ? "" : " ") + field;
@@ -131,9 +131,8 @@ public:
             return {};
         }
         if (wanted_ > 0 && fields->size() != wanted_)
-            return {"fields: {0}, in the heading {1}; one that holds a comma stands in quotes",
-                    "campi: {0}, nell’intestazione {1}; quello che contiene una virgola sta fra virgolette",
-                    std::to_string(fields->size()), std::to_string(wanted_)};
+            return {lang::command_line::fields_differ_from_heading, std::to_string(fields->size()),
+                    std::to_string(wanted_)};
         return take(line, std::move(name));
     }
     std::vector<std::string> all() && { return std::move(names_); }
@@ -141,13 +140,11 @@ public:
 private:
     Words take(std::size_t line, std::string name) {
         if (const std::size_t length = characters_of(name); length > longest_name)
-            return {"a name of {0} characters; {1} at most", "un nome di {0} caratteri; al massimo {1}",
-                    std::to_string(length), std::to_string(longest_name)};
+            return {lang::command_line::a_name_of_characters_at_most, std::to_string(length),
+                    std::to_string(longest_name)};
         const auto [before, is_new] = lines_.try_emplace(name, line);
         if (!is_new)
-            return {"{0} stands in line {1} already; take one out, or tell them apart, by a number",
-                    "{0} compare già nella riga {1}; toglierne uno, o distinguerli, con un numero", in_quotes(name),
-                    std::to_string(before->second)};
+            return {lang::command_line::stands_in_line_already_take, in_quotes(name), std::to_string(before->second)};
         names_.push_back(std::move(name));
         return {};
     }
@@ -170,10 +167,10 @@ tl::expected<std::vector<std::string>, Words> read_roster(std::string_view text)
         from = end + 1;
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (const Words why = found.add(number, line); !why.empty())
-            return tl::unexpected(Words("line {0}: {1}", "riga {0}: {1}", std::to_string(number), why));
+            return tl::unexpected(Words(lang::command_line::line, std::to_string(number), why));
     }
     std::vector<std::string> names = std::move(found).all();
-    if (names.empty()) return tl::unexpected(Words("there is no name in it", "non contiene nessun nome"));
+    if (names.empty()) return tl::unexpected(Words(lang::command_line::there_is_no_name));
     return names;
 }
 

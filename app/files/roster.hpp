@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "app/files/wording.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph::app {
 

@@ -1,6 +1,7 @@
 // Runs rsvg-convert as a child process. Its input and output are files in memory, so neither process can block the
 // other.
 #include "app/files/svg_picture.hpp"
+#include "lang/keys/command_line.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -91,32 +92,22 @@ std::optional<int> wait_for(pid_t child) {
 tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dpi) {
     const MemoryFile in, out, err;
     if (out.descriptor() < 0 || err.descriptor() < 0 || in.descriptor() < 0 || !in.fill(svg))
-        return tl::unexpected(NotDrawn{Status::output,
-                                       {"no memory for drawing it: {0}", "manca la memoria per disegnarlo: {0}",
-                                        std::string(std::strerror(errno))}});
+        return tl::unexpected(
+            NotDrawn{Status::output, {lang::command_line::no_memory_for_drawing, std::string(std::strerror(errno))}});
     const std::string resolution = std::to_string(dpi);
     const pid_t child = ::fork();
     if (child < 0)
-        return tl::unexpected(NotDrawn{Status::output,
-                                       {"rsvg-convert cannot be started: {0}", "rsvg-convert non si può avviare: {0}",
-                                        std::string(std::strerror(errno))}});
+        return tl::unexpected(NotDrawn{
+            Status::output, {lang::command_line::rsvg_convert_cannot_be_started, std::string(std::strerror(errno))}});
     if (child == 0) become_rsvg_convert(in, out, err, resolution);
     const auto status = wait_for(child);
     if (status == not_found)
-        return tl::unexpected(NotDrawn{
-            Status::output,
-            {"an SVG is compared by means of rsvg-convert, which is missing: install the Debian package librsvg2-bin",
-             "un SVG si confronta per mezzo di rsvg-convert, che manca: installare il pacchetto Debian librsvg2-bin"}});
-    if (!status)
-        return tl::unexpected(
-            NotDrawn{Status::bad_input,
-                     {"is no SVG that can be drawn: rsvg-convert needed too much time or memory",
-                      "non è un SVG che si possa disegnare: a rsvg-convert servivano troppo tempo o troppa memoria"}});
+        return tl::unexpected(NotDrawn{Status::output, {lang::command_line::an_svg_is_compared_by_means}});
+    if (!status) return tl::unexpected(NotDrawn{Status::bad_input, {lang::command_line::is_no_svg}});
     if (*status != 0) {
         std::string why = err.contents();
         while (!why.empty() && why.back() == '\n') why.pop_back();
-        return tl::unexpected(NotDrawn{
-            Status::bad_input, {"is no SVG that can be drawn: {0}", "non è un SVG che si possa disegnare: {0}", why}});
+        return tl::unexpected(NotDrawn{Status::bad_input, {lang::command_line::is_no_svg_that_can_be_drawn, why}});
     }
     return out.contents();
 }

@@ -3,6 +3,7 @@
 #include "app/late/late_library.hpp"
 #include "app/late/modules.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/library.hpp"
 
 namespace kinegraph {
 namespace {
@@ -18,8 +19,7 @@ Late<Module> late(const char* name, const Words& purpose) {
 }
 
 const Late<app::CairoModule>& cairo() {
-    static const auto module =
-        late<app::CairoModule>("kinegraph_cairo", {"PNG and PDF are drawn", "PNG e PDF sono disegnati"});
+    static const auto module = late<app::CairoModule>("kinegraph_cairo", {lang::library::png_and_pdf_are_drawn});
     return module;
 }
 const app::CairoModule& opened_cairo() {
@@ -27,17 +27,16 @@ const app::CairoModule& opened_cairo() {
     return **cairo();
 }
 const Late<app::TypeModule>& type() {
-    static const auto module = late<app::TypeModule>("kinegraph_type", {"Type is set", "I caratteri sono composti"});
+    static const auto module = late<app::TypeModule>("kinegraph_type", {lang::library::type_is_set});
     return module;
 }
 const Late<app::GinacModule>& ginac() {
-    static const auto module = late<app::GinacModule>(
-        "kinegraph_ginac", {"derivatives in symbols are found", "le derivate in simboli sono trovate"});
+    static const auto module =
+        late<app::GinacModule>("kinegraph_ginac", {lang::library::derivatives_in_symbols_are_found});
     return module;
 }
 const Late<app::ZipModule>& zip() {
-    static const auto module =
-        late<app::ZipModule>("kinegraph_zip", {"Archives are packed", "Gli archivi sono composti"});
+    static const auto module = late<app::ZipModule>("kinegraph_zip", {lang::library::archives_are_packed});
     return module;
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/library.hpp"
 
 namespace kinegraph::app {
 
@@ -16,9 +17,7 @@ tl::expected<const void*, Words> late_library(const std::string& name, const Wor
     const std::filesystem::path built = here / file, installed = here / KINEGRAPH_MODULE_FOLDER / file;
     void* const library = ::dlopen((exists(built, ignored) ? built : installed).c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (library == nullptr)
-        return tl::unexpected(Words("{0} by a module of the program, which cannot be loaded: {1}",
-                                    "{0} da un modulo del programma, che non si può caricare: {1}", purpose,
-                                    std::string(::dlerror())));
+        return tl::unexpected(Words(lang::library::by_a_module_of_the_program, purpose, std::string(::dlerror())));
     const void* const exported = ::dlsym(library, name.c_str());
     KG_ASSERT(exported != nullptr, "a module exports its functions under its own name");
     return exported;

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph::app {
 

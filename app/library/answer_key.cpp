@@ -5,6 +5,7 @@
 #include "app/library/csv_text.hpp"
 #include "app/library/state.hpp"
 #include "kinegraph/variants.hpp"
+#include "lang/keys/library.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/sheet/key_sheet.hpp"
 #include "render/text/words.hpp"
@@ -12,16 +13,15 @@
 namespace kinegraph {
 namespace {
 
-/// A value as the file writes it, for print: a true minus sign, and a decimal comma in Italian.
-std::string printed_value(std::string value, render::Language language) {
+/// A value as the file writes it, for print: a true minus sign and the decimal mark of the language.
+std::string printed_value(std::string value, Language language) {
     if (value.starts_with('-')) value.replace(0, 1, "−");
-    if (language == render::Language::it) std::replace(value.begin(), value.end(), '.', ',');
+    std::replace(value.begin(), value.end(), '.', render::notation(language).decimal_mark);
     return value;
 }
 
 /// The symbols that the question uses for the results; empty for one that is another result's too.
-std::vector<render::RichText> symbols_of(const Solved::State& variant, render::Language language,
-                                         const render::Fonts& fonts) {
+std::vector<render::RichText> symbols_of(const Solved::State& variant, Language language, const render::Fonts& fonts) {
     const render::Theme theme;
     const render::DrawingContext context{variant.solution, theme, fonts, language, render::Dimensions::off};
     std::vector<render::RichText> symbols;
@@ -77,14 +77,13 @@ std::string AnswerKey::csv() const {
 }
 
 Expected<Drawing> AnswerKey::drawing(const std::string& title, const DrawingOptions& options) const {
-    if (rows_.empty())
-        return refused(Diagnostic::Kind::bad_input, {"the key has no variant", "la chiave non ha varianti"});
+    if (rows_.empty()) return refused(Diagnostic::Kind::bad_input, {lang::library::the_key_has_no_variant});
     return drawing_of(options, [&](const render::SheetOptions& sheet, const render::Fonts& fonts, auto&) {
-        const render::Language language = sheet.language;
+        const Language language = sheet.language;
         const bool names = has_names();
-        render::KeyTable table{title + " – " + in(Words("key", "soluzioni"), language), {}, {}};
-        table.columns.push_back({in(Words("variant", "variante"), language), "", true});
-        if (names) table.columns.push_back({in(Words("name", "nome"), language), "", true});
+        render::KeyTable table{title + " – " + in(Words(lang::library::key), language), {}, {}};
+        table.columns.push_back({in(Words(lang::library::variant), language), "", true});
+        if (names) table.columns.push_back({in(Words(lang::library::name), language), "", true});
         for (const std::string& each : parameters_) table.columns.push_back({each, "", false});
         std::vector<render::RichText> symbols = symbols_of(first_->state(), language, fonts);
         for (std::size_t i = 0; i < columns_.size(); ++i)

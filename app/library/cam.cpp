@@ -12,6 +12,7 @@
 #include "app/library/row_text.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"
+#include "lang/keys/cams.hpp"
 
 namespace kinegraph {
 
@@ -71,14 +72,12 @@ void compare_with_law(CamCycle::State& cycle) {
 /// The angle of the cam at which the mechanism is written and drawn, rad.
 tl::expected<double, Words> turn_asked(const CamOptions& options, const Cam& cam) {
     const std::string& dashes = options.dashes;
-    if (options.steps < 2)
-        return tl::unexpected(Words("{0}steps: at least 2 are needed", "{0}steps: ne occorrono almeno 2", dashes));
+    if (options.steps < 2) return tl::unexpected(Words(lang::cams::steps_at_least_2_are_needed, dashes));
     if (options.at.empty()) return 0.0;
     const auto turn = app::quantity_of(options.at, QuantityKind::angle, cam.units.angle.si);
     if (!turn) return tl::unexpected(dashes + "at " + turn.error());
     if (turn->sign() < 0 || *turn > 2 * pi())
-        return tl::unexpected(Words("{0}at {1}: the cam's turn lies between 0 and 360°",
-                                    "{0}at {1}: la rotazione della camma è fra 0 e 360°", dashes, options.at));
+        return tl::unexpected(Words(lang::cams::at_the_cam_turn_lies, dashes, options.at));
     return turn->to_double();
 }
 
@@ -87,7 +86,7 @@ tl::expected<double, Words> turn_asked(const CamOptions& options, const Cam& cam
 Words decimal_text(const char* form, double value, const std::string& unit) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), form, value);
-    return app::decimal(text.data() + unit);
+    return decimal_words(text.data() + unit);
 }
 Words turn_text(double turn) { return decimal_text("%.4g", turn * 180 / std::numbers::pi, "°"); }
 Words length_text(const Cam& cam, double length) {
@@ -96,30 +95,14 @@ Words length_text(const Cam& cam, double length) {
 
 Words undercut(const CamCycle::State& cycle, double first, double last) {
     const Words from = turn_text(first), to = turn_text(last);
-    if (cycle.is_flat())
-        return {
-            "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; "
-            "take a larger base radius",
-            "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere "
-            "un raggio di base maggiore",
-            from, to};
+    if (cycle.is_flat()) return {lang::cams::undercut_between_and_the_profile_turns, from, to};
     const auto lies_within = [&](double turn) {
         return first <= last ? first <= turn && turn <= last : turn >= first || turn <= last;
     };
     if (std::any_of(cycle.summary.corners.begin(), cycle.summary.corners.end(),
                     [&](const CamCorner& corner) { return corner.is_cut && lies_within(corner.after.turn); }))
-        return {
-            "undercut between {0} and {1}: the pitch curve has a convex corner there, which no roller leaves, and "
-            "the follower will not keep its law; take a law whose speed does not jump",
-            "sottotaglio fra {0} e {1}: lì la curva primitiva ha uno spigolo convesso, che nessuna rotella può "
-            "percorrere, e la punteria non seguirà la legge; prendere una legge senza salti di velocità",
-            from, to};
-    return {
-        "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not "
-        "keep its law; take a larger base radius or a smaller roller",
-        "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà "
-        "la legge; prendere un raggio di base maggiore o una rotella minore",
-        from, to};
+        return {lang::cams::undercut_between_and_the_pitch_curve, from, to};
+    return {lang::cams::undercut_between_and_the_pitch_curve_is, from, to};
 }
 
 }  // namespace
@@ -136,23 +119,18 @@ CamCycle::State::State(CamFile cam, long steps, double turn)
 
 std::vector<Words> CamCycle::State::facts() const {
     std::vector<Words> said;
-    said.emplace_back("largest pressure angle: {0} at {1}", "massimo angolo di pressione: {0} a {1}",
-                      turn_text(summary.most_pressure), turn_text(summary.most_pressure_at));
+    said.emplace_back(lang::cams::largest_pressure_angle, turn_text(summary.most_pressure),
+                      turn_text(summary.most_pressure_at));
     for (const auto& [from, to] : summary.undercuts) said.push_back(undercut(*this, from, to));
     if (summary.least_convex && summary.undercuts.empty())
-        said.emplace_back("least radius of curvature of the profile, convex: {0} at {1}",
-                          "minimo raggio di curvatura del profilo, convesso: {0} a {1}",
-                          length_text(cam(), *summary.least_convex), turn_text(summary.least_convex_at));
+        said.emplace_back(lang::cams::least_radius_of_curvature, length_text(cam(), *summary.least_convex),
+                          turn_text(summary.least_convex_at));
     if (summary.least_concave)
-        said.emplace_back("least radius of curvature of the profile, hollow: {0} at {1}",
-                          "minimo raggio di curvatura del profilo, concavo: {0} a {1}",
+        said.emplace_back(lang::cams::least_radius_of_curvature_of_the_profile,
                           length_text(cam(), *summary.least_concave), turn_text(summary.least_concave_at));
     if (summary.face)
-        said.emplace_back(
-            "the flat face is touched from {0} to {1}, counted from the foot of its normal through the cam’s "
-            "centre",
-            "il piattello è toccato da {0} a {1}, contati dal piede della sua normale per il centro della camma",
-            length_text(cam(), (*summary.face)[0]), length_text(cam(), (*summary.face)[1]));
+        said.emplace_back(lang::cams::the_flat_face_is_touched, length_text(cam(), (*summary.face)[0]),
+                          length_text(cam(), (*summary.face)[1]));
     return said;
 }
 
@@ -163,10 +141,8 @@ std::vector<Words> CamCycle::State::jumps() const {
     };
     std::vector<Words> said;
     for (const CamCorner& corner : summary.corners)
-        said.emplace_back(
-            "at {0} the speed of the follower jumps from {1} to {2}: its acceleration is infinite there (a shock)",
-            "a {0} la velocità della punteria salta da {1} a {2}: lì l’accelerazione è infinita (urto)",
-            turn_text(corner.after.turn), text(corner.before), text(corner.after));
+        said.emplace_back(lang::cams::at_the_speed_of_the_follower, turn_text(corner.after.turn), text(corner.before),
+                          text(corner.after));
     return said;
 }
 
@@ -188,7 +164,7 @@ Expected<CamFile> CamFile::parse(std::string_view text, std::string name) {
 }
 
 Expected<CamFile> CamFile::open(const std::string& path) {
-    const auto text = read_file(path, {"cam file", "file di camma"});
+    const auto text = read_file(path, {lang::cams::cam_file});
     if (!text) return tl::unexpected(text.error());
     return parse(*text, path.substr(path.rfind('/') + 1));
 }
@@ -237,15 +213,10 @@ std::string CamCycle::mechanism() const { return state().file.mechanism_at(state
 std::vector<Text> CamCycle::facts() const { return texts_of(state().facts()); }
 std::vector<Text> CamCycle::remarks() const { return texts_of(state().jumps()); }
 std::vector<Text> CamCycle::comparison() const {
-    std::vector<Words> lines{
-        {"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of the "
-         "largest at most",
-         "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge al "
-         "più di {1} della maggiore",
-         std::to_string(state().solved), decimal_text("%.1e", state().difference, "")}};
+    std::vector<Words> lines{{lang::cams::positions_solved_as_mechanisms_speed, std::to_string(state().solved),
+                              decimal_text("%.1e", state().difference, "")}};
     if (state().not_solved > 0)
-        lines.emplace_back("{0} positions have no unique answer", "{0} posizioni non hanno risposta unica",
-                           std::to_string(state().not_solved));
+        lines.emplace_back(lang::cams::positions_have_no_unique_answer, std::to_string(state().not_solved));
     return texts_of(lines);
 }
 bool CamCycle::keeps_law() const { return state().summary.undercuts.empty() && state().not_solved == 0; }

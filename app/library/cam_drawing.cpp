@@ -9,6 +9,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/law_breaks.hpp"
 #include "engine/motion/closure.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
@@ -34,7 +35,7 @@ tl::expected<Solution, Errors> drawn_at(const Cam& cam, const CamGeometry& geome
 /// Draws one cam in one language.
 class CamScene {
 public:
-    CamScene(const CamCycle::State& cycle, render::Language language)
+    CamScene(const CamCycle::State& cycle, Language language)
         : cycle_(cycle), cam_(cycle.cam()), geometry_(cycle.geometry()), language_(language) {}
 
     CycleTable table(const Solution& drawn) const {
@@ -72,8 +73,16 @@ public:
     std::vector<render::Way> curves() const {
         constexpr int samples = 1440;
         render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
-            pitch{.name = "pitch curve", .is_path = true, .places = {}, .is_thin = true, .label = named("pitch curve")},
-            base{.name = "base circle", .is_path = true, .places = {}, .is_thin = true, .label = named("base circle")};
+            pitch{.name = "pitch curve",
+                  .is_path = true,
+                  .places = {},
+                  .is_thin = true,
+                  .label = named(lang::sheet::pitch_curve)},
+            base{.name = "base circle",
+                 .is_path = true,
+                 .places = {},
+                 .is_thin = true,
+                 .label = named(lang::sheet::base_circle)};
         // On the side of the cam opposite to the follower.
         pitch.label_at = base.label_at = samples * 5 / 8;
         for (const Spot& place : working_profile(cam_, geometry_, samples)) profile.places.push_back(placed(place));
@@ -117,7 +126,7 @@ private:
     Spot placed(const CamState& state, const Spot& place) const {
         return placed(state.on_cam(place, geometry_.sense()));
     }
-    render::RichText named(const char* key) const { return render::one_piece(render::word(key, language_)); }
+    render::RichText named(Key key) const { return render::one_piece(render::word(key, language_)); }
 
     static Spot circle_about(const Spot& centre, double radius, double angle) {
         return centre + radius * Spot{std::cos(angle), std::sin(angle)};
@@ -174,7 +183,7 @@ private:
     const CamCycle::State& cycle_;
     const Cam& cam_;
     const CamGeometry& geometry_;
-    render::Language language_;
+    Language language_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "lang/keys/library.hpp"
 
 namespace kinegraph::app {
 
@@ -24,20 +25,10 @@ const Law* law_of(const Mechanism& mechanism, int driver) {
     return kinegraph::law_of(mechanism.drivers[at_index(driver)]);
 }
 
-Words cam_stays(const Mechanism& mechanism) {
-    return {
-        "this is one position of the cam of {0}, with its circle of curvature in place of the profile, so it cannot "
-        "be moved; kinegraph cam {0} computes other positions",
-        "questa è una posizione della camma di {0}, con il cerchio osculatore al posto del profilo, quindi non si "
-        "può muovere; kinegraph cam {0} calcola le altre posizioni",
-        mechanism.cam_file};
-}
+Words cam_stays(const Mechanism& mechanism) { return {lang::library::this_is_one_position, mechanism.cam_file}; }
 
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name, const std::string& dashes) {
-    if (mechanism.drivers.empty())
-        return tl::unexpected(
-            Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
-                  "nulla comanda questo meccanismo, che ha quindi una sola posizione; dargli \"drivers\""));
+    if (mechanism.drivers.empty()) return tl::unexpected(Words(lang::library::nothing_drives_this_mechanism));
     if (!mechanism.cam_file.empty()) return tl::unexpected(cam_stays(mechanism));
     if (name.empty()) return 0;
     std::vector<std::string> known;
@@ -48,8 +39,7 @@ tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::str
         list += (list.empty() ? "" : ", ") + known.back();
     }
     Speller speller;
-    return tl::unexpected(Words("{0}driver {1}: no driver is called so{2}; there are {3}",
-                                "{0}driver {1}: nessun movente si chiama così{2}; ci sono {3}", dashes, name,
+    return tl::unexpected(Words(lang::library::driver_no_driver_is_called, dashes, name,
                                 did_you_mean(speller.nearest(name, known)), list));
 }
 
@@ -64,8 +54,8 @@ tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kin
     const auto written = read_quantity(text, kind);
     if (!written) return tl::unexpected(written.error());
     if (written->unit->kind != kind)
-        return tl::unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}", quoted(text),
-                                    with_article(written->unit->kind), with_article(kind)));
+        return tl::unexpected(Words(lang::library::is_is_wanted_here, quoted(text), with_article(written->unit->kind),
+                                    with_article(kind)));
     return written->in_si();
 }
 tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
@@ -78,7 +68,7 @@ tl::expected<Exact, Words> time_of(const std::string& text) { return quantity_of
 Words time_text(double time) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), time, std::chars_format::general, 6);
-    return decimal(std::string(text.data(), end.ptr) + " s");
+    return decimal_words(std::string(text.data(), end.ptr) + " s");
 }
 
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {
@@ -89,19 +79,12 @@ Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate,
     double value = coordinate / unit.si.to_double();
     value = std::round(value / grain) * grain;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return decimal(std::string(text.data(), end.ptr) +
-                   (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
+    return decimal_words(std::string(text.data(), end.ptr) +
+                         (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
 }
 
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit) {
-    return {"{0} is out of reach: driver {1} stops at {2}", "{0} è fuori portata: il movente {1} si ferma a {2}",
-            wanted, driver, limit};
-}
-
-Words decimal(std::string text) {
-    std::string italian = text;
-    std::replace(italian.begin(), italian.end(), '.', ',');
-    return {std::move(text), std::move(italian)};
+    return {lang::library::is_out_of_reach_driver_stops, wanted, driver, limit};
 }
 
 }  // namespace kinegraph::app

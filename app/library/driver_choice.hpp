@@ -37,7 +37,5 @@ Words time_text(double time);  ///< "0.2 s"
 
 /// "400 mm is out of reach: driver 2 stops at 80 mm".
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit);
-/// A decimal number in messages: Italian uses the comma.
-Words decimal(std::string text);
 
 }  // namespace kinegraph::app

@@ -16,6 +16,8 @@
 #include "constructions/positions/cycle.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/file/json_text.hpp"
+#include "lang/keys/sheet.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph {
 namespace {
@@ -129,18 +131,13 @@ public:
         for (const std::size_t i : efforts())
             lines.push_back(line_on_effort(table.columns[i], table.followed.columns[i]));
         for (const Separation& each : table.followed.separations)
-            lines.emplace_back("the contact {0} can only push, and would have to pull from {1} to {2}: it separates",
-                               "il contatto {0} può solo spingere, e da {1} a {2} dovrebbe tirare: si stacca",
-                               mechanism.joint(each.joint).name, position_text(each.from), position_text(each.to));
+            lines.emplace_back(lang::sweeps::the_contact_can_only_push, mechanism.joint(each.joint).name,
+                               position_text(each.from), position_text(each.to));
         if (const auto& left_out = table.left_out; left_out.size() == 1)
-            lines.emplace_back("1 row is left out, where the mechanism gives no unique answer: {0}",
-                               "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}",
-                               position_text(left_out.front()));
+            lines.emplace_back(lang::sweeps::n_1_row_is_left_out, position_text(left_out.front()));
         else if (left_out.size() > 1)
-            lines.emplace_back(
-                "{0} rows are left out, where the mechanism gives no unique answer; the first is {1}, the last {2}",
-                "{0} righe sono omesse, dove il meccanismo non dà una risposta unica; la prima è {1}, l’ultima {2}",
-                std::to_string(left_out.size()), position_text(left_out.front()), position_text(left_out.back()));
+            lines.emplace_back(lang::sweeps::rows_are_left_out, std::to_string(left_out.size()),
+                               position_text(left_out.front()), position_text(left_out.back()));
         return lines;
     }
     LargestDifference::Found difference() const override {
@@ -159,12 +156,8 @@ private:
     void add_centrodes(BodyIndex first, BodyIndex second) {
         auto traced = trace_centrodes(mechanism, pose_, course_.driver, table.travel, first, second);
         if (!traced || traced->branches.empty())
-            remarks.emplace_back(
-                "{0}centrodes {1},{2}: the two bodies never turn against each other, or it is not determined how: "
-                "there are no centrodes",
-                "{0}centrodes {1},{2}: i due corpi non ruotano mai l’uno rispetto all’altro, o non è determinato "
-                "come: non ci sono polari",
-                options_.dashes, mechanism.body(first).name, mechanism.body(second).name);
+            remarks.emplace_back(lang::sweeps::centrodes_the_two_bodies_never_turn, options_.dashes,
+                                 mechanism.body(first).name, mechanism.body(second).name);
         if (traced) centrodes_.push_back(*std::move(traced));
     }
 
@@ -180,22 +173,22 @@ private:
         const auto amount = [&](double value) {
             std::array<char, 32> digits{};
             std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
-            return app::decimal(digits.data()) + unit.symbol;
+            return decimal_words(digits.data()) + unit.symbol;
         };
         const auto extreme = [&](const std::optional<FollowedColumn::Extreme>& found) {
-            return found ? Words("{0} at {1}", "{0} a {1}", amount(found->value), position_text(found->at))
-                         : Words("without limit", "senza limite");
+            return found ? Words(lang::sweeps::value_at, amount(found->value), position_text(found->at))
+                         : Words(lang::sheet::without_limit);
         };
-        const Words mean = followed.mean ? Words(amount(*followed.mean)) : Words("without limit", "senza limite");
-        Words line("{0}: mean {1}, least {2}, greatest {3}", "{0}: media {1}, minimo {2}, massimo {3}", column.name,
-                   mean, extreme(followed.least), extreme(followed.greatest));
+        const Words mean = followed.mean ? Words(amount(*followed.mean)) : Words(lang::sheet::without_limit);
+        Words line(lang::sweeps::mean_least_greatest, column.name, mean, extreme(followed.least),
+                   extreme(followed.greatest));
         if (followed.poles.empty()) return line;
         Words places;
         for (const double at : followed.poles) {
             if (at != followed.poles.front()) places += Words(std::string(", "));
             places += position_text(at);
         }
-        return {"{0}; it grows without limit at {1}", "{0}; cresce senza limite a {1}", line, places};
+        return {lang::sweeps::it_grows_without_limit, line, places};
     }
 
     std::vector<Words> lines_on_travel() const {
@@ -206,31 +199,20 @@ private:
         };
         if (travel.starts_at_limit || travel.ends_at_limit)
             lines.emplace_back(
-                "driver {0} goes from {1} to {2}, {3}", "il movente {0} va da {1} a {2}, {3}", table.driver,
-                coordinate(travel.from), coordinate(travel.to),
-                travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite"));
+                lang::sweeps::driver_goes, table.driver, coordinate(travel.from), coordinate(travel.to),
+                travel.starts_at_limit ? Words(lang::sweeps::its_limits) : Words(lang::sweeps::its_limit));
         const auto& branch = cycle_->positions().branch();
         if (branch)
-            lines.emplace_back(
-                "a change point is drawn: of its {0} branches number {1} is taken; {2}branch takes another",
-                "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; {2}branch ne prende "
-                "un altro",
-                std::to_string(branch->of), std::to_string(branch->index + 1), options_.dashes);
+            lines.emplace_back(lang::sweeps::a_change_point_is_drawn, std::to_string(branch->of),
+                               std::to_string(branch->index + 1), options_.dashes);
         for (const double each : travel.change_points)
             if (!branch || each != 0)
-                lines.emplace_back(
-                    "a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
-                    "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza "
-                    "salti",
-                    coordinate(each, 1e-6));
+                lines.emplace_back(lang::sweeps::a_change_point_at_the_branch, coordinate(each, 1e-6));
         if (travel.times)
-            lines.emplace_back("driver {0} follows its law, from {1} to {2}",
-                               "il movente {0} segue la sua legge, da {1} a {2}", table.driver,
-                               app::time_text(travel.times->first), app::time_text(travel.times->second));
+            lines.emplace_back(lang::sweeps::driver_follows_its_law, table.driver, app::time_text(travel.times->first),
+                               app::time_text(travel.times->second));
         if (mechanism.drivers.size() > 1 + course_.along.size())
-            lines.emplace_back("the other drivers rest where they are drawn, with the rates of the file",
-                               "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del "
-                               "file");
+            lines.emplace_back(lang::sweeps::the_other_drivers_rest_where_they);
         return lines;
     }
 

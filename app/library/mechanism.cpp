@@ -14,6 +14,7 @@
 #include "engine/motion/mobility.hpp"
 #include "engine/reading/mechanism_schema.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/library.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/tables/pair_tables.hpp"
@@ -55,9 +56,7 @@ Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
         else
             fits = each.holds ? *each.holds : holds(each, *solution, results);
         if (!fits) return tl::unexpected(diagnostics_of(fits.error()));
-        if (!*fits)
-            remarks.push_back(text_of(Words("{0} does not hold with the file’s own values",
-                                            "{0} non vale con i valori propri del file", quoted(each.text))));
+        if (!*fits) remarks.push_back(text_of(Words(lang::library::does_not_hold_with_the_file, quoted(each.text))));
     }
     return remarks;
 }
@@ -88,7 +87,7 @@ Expected<MechanismFile> MechanismFile::parse(std::string_view text, std::string 
 }
 
 Expected<MechanismFile> MechanismFile::open(const std::string& path, const std::vector<ParameterValue>& set) {
-    const auto text = read_file(path, {"mechanism file", "file di meccanismo"});
+    const auto text = read_file(path, {lang::library::mechanism_file});
     if (!text) return tl::unexpected(text.error());
     return parse(*text, path.substr(path.rfind('/') + 1), set);
 }
@@ -131,9 +130,7 @@ Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
 
 Expected<std::vector<Solved>> MechanismFile::solve_at(const PositionsWanted& positions,
                                                       const SolveOptions& options) const {
-    if (!has_joints())
-        return refused(Diagnostic::Kind::bad_input, {"the file states a problem in place of joints: nothing moves",
-                                                     "il file pone un problema al posto delle coppie: nulla si muove"});
+    if (!has_joints()) return refused(Diagnostic::Kind::bad_input, {lang::library::the_file_states_a_problem});
     auto solutions = app::solved_positions(with_wishes(state().mechanism, options), positions, arithmetic_of(options));
     if (!solutions) return tl::unexpected(diagnostics_of(solutions.error()));
     std::vector<Solved> all;
@@ -147,15 +144,13 @@ Expected<std::vector<Solved>> MechanismFile::solve_at(const PositionsWanted& pos
 Expected<std::string> MechanismFile::pairs(TextForm form, Language language) const {
     const Mechanism& mechanism = state().mechanism;
     if (stands_for_joints(mechanism))
-        return refused(Diagnostic::Kind::bad_input,
-                       {"the file states a problem in place of joints, and so has no pairs",
-                        "il file pone un problema al posto delle coppie, quindi non ha coppie"});
+        return refused(Diagnostic::Kind::bad_input, {lang::library::the_file_states_a_problem_in_place});
     const auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
     const Mobility mobility = mobility_of(mechanism, *pose);
     return render::pair_report(mechanism, mobility,
                                remarks_on_mobility(mechanism, mobility, degenerate_motion(mechanism, *pose, mobility)),
-                               language_of(language), form_of(form));
+                               language, form_of(form));
 }
 
 Expected<std::string> MechanismFile::equations(TextForm form, Language language) const {
@@ -165,20 +160,16 @@ Expected<std::string> MechanismFile::equations(TextForm form, Language language)
     const auto solution = kinegraph::solve(std::move(mechanism));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (of_point && form == TextForm::json) return "{\n  \"motion\": " + motion_json(*solution) + "\n}\n";
-    if (of_point) return printed(render::point_items(*solution, language_of(language)), form);
+    if (of_point) return printed(render::point_items(*solution, language), form);
     if (!solution->equations)
-        return refused(Diagnostic::Kind::bad_input, {"a problem in place of joints has no loops",
-                                                     "un problema al posto delle coppie non ha maglie"});
+        return refused(Diagnostic::Kind::bad_input, {lang::library::a_problem_in_place_of_joints});
     if (!solution->equations->why_not.empty())
-        return refused(Diagnostic::Kind::bad_input,
-                       Words("no equations: {0}", "nessuna equazione: {0}", solution->equations->why_not));
+        return refused(Diagnostic::Kind::bad_input, Words(lang::library::no_equations, solution->equations->why_not));
     if (form == TextForm::json) return "{\n  \"equations\": " + equations_json(*solution->equations) + "\n}\n";
-    return printed(render::equation_items(*solution, language_of(language)), form);
+    return printed(render::equation_items(*solution, language), form);
 }
 
-std::string pair_catalogue(TextForm form, Language language) {
-    return render::pair_catalogue(language_of(language), form_of(form));
-}
+std::string pair_catalogue(TextForm form, Language language) { return render::pair_catalogue(language, form_of(form)); }
 
 std::string_view mechanism_schema() { return mechanism_schema_text; }
 

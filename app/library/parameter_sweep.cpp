@@ -19,6 +19,7 @@
 #include "engine/mechanism/variation.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph {
 namespace {
@@ -30,9 +31,9 @@ double si_of(const Measured& value) {
 
 /// The value of an option. `name`: its name in messages.
 tl::expected<Measured, Words> value_given(const std::string& name, const std::string& text) {
-    auto read = is_formula(text) ? tl::expected<Measured, Words>(tl::unexpected(Words(
-                                       "a value is wanted here, no formula", "qui serve un valore, non una formula")))
-                                 : read_measured(text, {});
+    auto read = is_formula(text)
+                    ? tl::expected<Measured, Words>(tl::unexpected(Words(lang::sweeps::a_value_is_wanted_here_no)))
+                    : read_measured(text, {});
     if (read) return *std::move(read);
     return tl::unexpected(name + ": " + read.error());
 }
@@ -41,11 +42,8 @@ tl::expected<Measured, Words> value_given(const std::string& name, const std::st
 tl::expected<Variation, Words> values_of(const SweepOptions& options) {
     constexpr int most = 1'000'000;
     const std::string& dashes = options.dashes;
-    const auto wrong = [&](std::string_view english, std::string_view italian, const auto&... more) {
-        return tl::unexpected(Words(english, italian, dashes, more...));
-    };
-    if (options.from.empty() || options.to.empty())
-        return wrong("{0}over wants {0}from and {0}to", "{0}over vuole {0}from e {0}to");
+    const auto wrong = [&](Key key, const auto&... more) { return tl::unexpected(Words(key, dashes, more...)); };
+    if (options.from.empty() || options.to.empty()) return wrong(lang::sweeps::over_wants);
     const auto from = value_given(dashes + "from", options.from), to = value_given(dashes + "to", options.to);
     if (!from) return tl::unexpected(from.error());
     if (!to) return tl::unexpected(to.error());
@@ -57,22 +55,14 @@ tl::expected<Variation, Words> values_of(const SweepOptions& options) {
     }
     for (const Measured* other : {&*to, step ? &*step : &*to})
         if (other->is_bare != from->is_bare || !(other->dimension == from->dimension))
-            return wrong("{0}from is {1}, and {0}to or {0}step is {2}", "{0}from è {1}, e {0}to o {0}step è {2}",
-                         described(*from), described(*other));
+            return wrong(lang::sweeps::from_is_and_to_or_step, described(*from), described(*other));
     const Exact way = to->value - from->value;
-    if (way.is_zero())
-        return wrong("{0}from and {0}to are the same; solve {0}set gives one value",
-                     "{0}from e {0}to sono uguali; solve {0}set dà un valore solo");
-    if (!step && (options.steps < 1 || options.steps > most))
-        return wrong("{0}steps: 1 to {1}", "{0}steps: da 1 a {1}", std::to_string(most));
+    if (way.is_zero()) return wrong(lang::sweeps::from_and_to_are_the_same);
+    if (!step && (options.steps < 1 || options.steps > most)) return wrong(lang::sweeps::steps_1, std::to_string(most));
     const Exact each = step ? step->value : way / Exact::ratio(options.steps, 1);
     const Exact count = each.is_zero() ? Exact(-1) : way / each;
-    if (count.sign() < 0)
-        return wrong("{0}step {1} does not lead from {0}from to {0}to", "{0}step {1} non porta da {0}from a {0}to",
-                     options.step);
-    if (count > Exact(most))
-        return wrong("{0}step: more than {1} values; take a larger step",
-                     "{0}step: più di {1} valori; prendere un passo più grande", std::to_string(most));
+    if (count.sign() < 0) return wrong(lang::sweeps::step_does_not_lead, options.step);
+    if (count > Exact(most)) return wrong(lang::sweeps::step_more_than_values_take, std::to_string(most));
     Variation values;
     values.parameter = options.over;
     values.count =
@@ -128,12 +118,9 @@ public:
     std::vector<Words> summary() const override {
         if (left_out_.empty()) return {};
         if (left_out_.size() == 1)
-            return {{"1 row is left out, where the file gives no unique answer: {0} = {1}",
-                     "1 riga è omessa, dove il file non dà una risposta unica: {0} = {1}", table.driver,
-                     left_out_.front()}};
-        return {{"{0} rows are left out, where the file gives no unique answer: {1} = {2} … {3}",
-                 "{0} righe sono omesse, dove il file non dà una risposta unica: {1} = {2} … {3}",
-                 std::to_string(left_out_.size()), table.driver, left_out_.front(), left_out_.back()}};
+            return {{lang::sweeps::n_1_row_is_left_out_where_the, table.driver, left_out_.front()}};
+        return {{lang::sweeps::rows_are_left_out_where_the_file, std::to_string(left_out_.size()), table.driver,
+                 left_out_.front(), left_out_.back()}};
     }
     LargestDifference::Found difference() const override { return difference_.found(table.columns, size_); }
     /// "r = 40 mm"
@@ -142,7 +129,7 @@ public:
         std::array<char, 32> value{};
         std::snprintf(value.data(), value.size(), "%.6g", coordinate / unit.si.to_double());
         const bool is_close = unit.symbol.empty() || unit.symbol == "°";
-        return table.driver + std::string(" = ") + app::decimal(value.data()) +
+        return table.driver + std::string(" = ") + decimal_words(value.data()) +
                (std::string(is_close ? "" : " ") + unit.symbol);
     }
 
@@ -225,7 +212,7 @@ private:
                         difference_.hold(i, column, row[i], each.numeric, row[0]);
             if (column.kind == Column::Kind::named && solution.problem)
                 for (const ProblemValue& each : solution.problem->values)
-                    if (each.name.en == column.name && each.numeric)
+                    if (in_english(each.name) == column.name && each.numeric)
                         difference_.hold(i, column, row[i], *each.numeric, row[0]);
         }
     }
@@ -244,9 +231,7 @@ private:
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
         if (!solution->unsolved.empty())
-            return note({{ErrorCode::no_unique_answer,
-                          {},
-                          {"no value has a unique answer", "nessun valore ha una risposta unica"}}});
+            return note({{ErrorCode::no_unique_answer, {}, {lang::sweeps::no_value_has_a_unique_answer}}});
         std::vector<NamedResult> results = named_results(*solution);
         std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
         if (table.columns.empty()) choose_columns(results);
@@ -290,28 +275,20 @@ Words of_another_kind(const Variation& values, const std::string& own_text, cons
     if (is_formula(own_text)) return {};
     const auto own = read_measured(own_text, {}), given = read_measured(values.value(0), {});
     if (own->is_bare == given->is_bare && own->dimension == given->dimension) return {};
-    return {"{0}from is {1}; the parameter {2} is {3}",
-            "{0}from è {1}; il parametro {2} è {3}",
-            dashes,
-            described(*given),
-            values.parameter,
-            described(*own)};
+    return {lang::sweeps::from_is_the_parameter, dashes, described(*given), values.parameter, described(*own)};
 }
 
 /// Why a parameter cannot be swept; empty if it can.
 Words meaningless_sweep(const SweepOptions& options, JsonValue parameters) {
     if (!options.driver.empty() || !options.along.empty() || options.branch != 0 || !options.traces.empty() ||
         !options.centrodes.empty() || options.poses != 0)
-        return {"{0}over moves no driver: {0}driver, {0}branch, {0}trace, {0}centrodes and {0}poses do not go with it",
-                "{0}over non muove nessun movente: {0}driver, {0}branch, {0}trace, {0}centrodes e {0}poses non vanno "
-                "con esso",
-                options.dashes};
+        return {lang::sweeps::over_moves_no_driver_driver_branch, options.dashes};
     std::vector<std::string_view> names;
     if (parameters && parameters.is_object())
         for (const JsonValue each : parameters) names.push_back(each.key());
     if (std::find(names.begin(), names.end(), options.over) != names.end()) return {};
-    return {"{0}over {1}: the file has no parameter named {1}{2}", "{0}over {1}: il file non ha un parametro {1}{2}",
-            options.dashes, quoted(options.over), did_you_mean(Speller().nearest(options.over, names))};
+    return {lang::sweeps::over_the_file_has_no_parameter, options.dashes, quoted(options.over),
+            did_you_mean(Speller().nearest(options.over, names))};
 }
 
 /// The parameter's own value, SI: that of the settings, else of the file; empty if a formula gives it.

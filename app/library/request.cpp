@@ -10,6 +10,7 @@
 #include "engine/file/json_source.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
+#include "lang/keys/library.hpp"
 
 namespace kinegraph {
 namespace {
@@ -56,41 +57,37 @@ private:
 
     void read() {
         const JsonValue root = source_.root();
-        if (!root.is_object()) return wrong(root, {"an object", "un oggetto"});
+        if (!root.is_object()) return wrong(root, {lang::library::an_object});
         for (const JsonValue twice : source_.duplicates())
             if (!twice.pointer().starts_with("/mechanism/"))
-                fault(twice, {"\"{0}\" is given twice", "\"{0}\" è dato due volte", std::string(twice.key())});
+                fault(twice, {lang::library::is_given_twice, std::string(twice.key())});
         for (const JsonValue member : root) read_member(member);
         read_input(root);
         const bool is_file = std::any_of(request_.want.begin(), request_.want.end(), [](Format format) {
             return format == Format::png || format == Format::pdf || format == Format::tex;
         });
         if (is_file && request_.to.empty())
-            faults_.push_back({ErrorCode::bad_input,
-                               "/want",
-                               {"png, pdf and tex are files: say with \"to\" where they go",
-                                "png, pdf e tex sono file: dire con \"to\" dove vanno"}});
+            faults_.push_back({ErrorCode::bad_input, "/want", {lang::library::png_pdf_and_tex_are_files}});
     }
 
     static Choices<Language> languages_by_code() {
         Choices<Language> all;
-        for (const Language language : languages)
-            all.emplace_back(render::notation(language_of(language)).code, language);
+        for (const Language language : languages) all.emplace_back(render::notation(language).code, language);
         return all;
     }
     void fault(JsonValue at, Words message) {
         faults_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)});
     }
     void wrong(JsonValue at, const Words& wanted) {
-        fault(at, {"{0} is wanted here, not {1}", "qui ci vuole {0}, non {1}", wanted, described(at)});
+        fault(at, {lang::library::is_wanted_here_not, wanted, described(at)});
     }
     bool text(JsonValue value, std::string& into) {
         if (value.is_string()) into = value.text();
-        if (!value.is_string()) wrong(value, {"a text", "un testo"});
+        if (!value.is_string()) wrong(value, {lang::library::a_text});
         return value.is_string();
     }
     void flag(JsonValue value, bool& into) {
-        if (value.kind() != JsonValue::Kind::boolean) return wrong(value, {"true or false", "true o false"});
+        if (value.kind() != JsonValue::Kind::boolean) return wrong(value, {lang::library::true_or_false});
         into = is_true(value);
     }
     /// A text, or an array of them.
@@ -111,15 +108,15 @@ private:
             into = meant;
             return;
         }
-        wrong(value, {"one of {0}", "uno fra {0}", listed(names)});
+        wrong(value, {lang::library::one_of, listed(names)});
     }
     void number(JsonValue value, double least, double most, double& into) {
         double read = 0;
         const std::string_view digits = value.is_number() ? value.text() : std::string_view();
         const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), read);
         if (digits.empty() || end.ec != std::errc{} || !(read >= least && read <= most))
-            return wrong(value, {"a number from {0} to {1}", "un numero da {0} a {1}",
-                                 std::to_string(static_cast<int>(least)), std::to_string(static_cast<int>(most))});
+            return wrong(value, {lang::library::a_number, std::to_string(static_cast<int>(least)),
+                                 std::to_string(static_cast<int>(most))});
         into = read;
     }
 
@@ -211,29 +208,26 @@ private:
              "orientation", "dimensions", "detail",    "sheet",  "grid",  "steps", "figure", "with",
              "theme",       "dpi",        "date",      "author", "exact", "at",    "driver", "branch"});
         Speller speller;
-        fault(member,
-              Words("a line has no key \"{0}\"", "una riga non ha la chiave \"{0}\"", std::string(member.key())) +
-                  did_you_mean(speller.nearest(member.key(), known)));
+        fault(member, Words(lang::library::a_line_has_no_key, std::string(member.key())) +
+                          did_you_mean(speller.nearest(member.key(), known)));
     }
 
     void read_id(JsonValue value) {
-        if (value.is_array() || value.is_object()) return wrong(value, {"a text or a number", "un testo o un numero"});
+        if (value.is_array() || value.is_object()) return wrong(value, {lang::library::a_text_or_a_number});
         request_.id = copied(value);
     }
     void read_settings(JsonValue value) {
-        if (!value.is_object())
-            return wrong(value, {"an object of parameters by name", "un oggetto di parametri per nome"});
+        if (!value.is_object()) return wrong(value, {lang::library::an_object_of_parameters_by_name});
         for (const JsonValue each : value) {
             if (each.is_string() || each.is_number())
                 request_.set.push_back({std::string(each.key()), std::string(each.text())});
             else
-                wrong(each, {"a number, a quantity or a formula", "un numero, una grandezza o una formula"});
+                wrong(each, {lang::library::a_number_a_quantity});
         }
     }
     void read_wanted(JsonValue value) {
         request_.want.clear();
-        if (!value.is_array() || value.size() == 0)
-            return wrong(value, {"an array of json, svg, png, pdf, tex", "un array di json, svg, png, pdf, tex"});
+        if (!value.is_array() || value.size() == 0) return wrong(value, {lang::library::an_array_of_json_svg_png});
         for (const JsonValue each : value) {
             Format format = Format::json;
             choice<Format>(each,
@@ -250,39 +244,32 @@ private:
     void read_target(JsonValue value) {
         if (!text(value, request_.to)) return;
         if (request_.to.empty() || request_.to.ends_with('/') || request_.to.find('\0') != std::string::npos)
-            fault(value, {"names no file", "non indica un file"});
+            fault(value, {lang::library::names_no_file});
     }
     void read_with(JsonValue value) {
         request_.with.clear();
-        if (!value.is_array()) return wrong(value, {"an array of figures", "un array di figure"});
+        if (!value.is_array()) return wrong(value, {lang::library::an_array_of_figures});
         for (const JsonValue each : value)
             choice<std::string>(each, {{"joukowsky", "joukowsky"}}, request_.with.emplace_back());
     }
     void read_branch(JsonValue value) {
         double branch = 1;
-        if (!is_whole_number(value)) return wrong(value, {"a whole number from 1", "un intero da 1"});
+        if (!is_whole_number(value)) return wrong(value, {lang::library::a_whole_number_from_1});
         number(value, 1, 1000, branch);
         request_.positions.branch = static_cast<int>(branch);
     }
     void read_input(JsonValue root) {
         const JsonValue file = root["file"], mechanism = root["mechanism"];
         if (static_cast<bool>(file) == static_cast<bool>(mechanism)) {
-            fault(root, file ? Words("\"file\" and \"mechanism\" exclude each other: leave one of them out",
-                                     "\"file\" e \"mechanism\" si escludono: togliere uno dei due")
-                             : Words("\"file\" or \"mechanism\" is missing", "manca \"file\" o \"mechanism\""));
+            fault(root, file ? Words(lang::library::file_and_mechanism_exclude_each_other)
+                             : Words(lang::library::file_or_mechanism_is_missing));
         } else if (mechanism) {
             request_.file = "mechanism";
             request_.text = copied(mechanism);
         } else if (text(file, request_.file)) {
             const std::string& path = request_.file;
-            if (path.empty() || path.find('\0') != std::string::npos)
-                fault(file, {"names no file", "non indica un file"});
-            if (path == "-")
-                fault(file,
-                      {"standard input carries the lines: give the mechanism's file, or the mechanism itself as "
-                       "\"mechanism\"",
-                       "l’ingresso standard porta le righe: dare il file del meccanismo, o il meccanismo stesso come "
-                       "\"mechanism\""});
+            if (path.empty() || path.find('\0') != std::string::npos) fault(file, {lang::library::names_no_file});
+            if (path == "-") fault(file, {lang::library::standard_input_carries_the_lines_give});
         }
     }
 

@@ -9,6 +9,7 @@
 #include "constructions/moving/moving.hpp"
 #include "engine/mechanism/problem.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/library.hpp"
 #include "render/backends/backends.hpp"
 #include "render/live/live_page.hpp"
 #include "render/page/theme.hpp"
@@ -62,8 +63,7 @@ Expected<render::Theme> theme_of(const DrawingOptions& options) {
     if (auto theme = render::built_in_theme(options.theme)) return *std::move(theme);
     std::string known;
     for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
-    return refused(Diagnostic::Kind::bad_input, Words("there is no theme {0}; there are {1}",
-                                                      "non c’è il tema {0}; ci sono {1}", options.theme, known));
+    return refused(Diagnostic::Kind::bad_input, Words(lang::library::there_is_no_theme_there, options.theme, known));
 }
 
 /// The theme of a live page on dark screens. The built-in colour theme is combined with the dark one; any other choice
@@ -88,7 +88,7 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
         return tl::unexpected(Diagnostics{{Diagnostic::Kind::bad_input, "/find", text_of(*beyond)}});
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
-        render::Key key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);
+        render::LaidOutKey key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);
         for (const render::RichText& remark : key.remarks) {
             const std::string text = render::plain(remark);
             remarks.push_back({{text, text}});
@@ -104,8 +104,8 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
     std::string names;
     for (const std::string& each : render::figure_names(solution, options, fonts))
         names += (names.empty() ? "" : ", ") + each;
-    return refused(Diagnostic::Kind::bad_input, Words("{0}: there is no such figure; there are {1}",
-                                                      "{0}: non c’è questa figura; ci sono {1}", wanted.figure, names));
+    return refused(Diagnostic::Kind::bad_input,
+                   Words(lang::library::there_is_no_such_figure_there, wanted.figure, names));
 }
 
 /// Calls `paint` with the thread's fonts once the rendering library is open.
@@ -123,7 +123,7 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     auto theme = theme_of(options);
     if (!theme) return tl::unexpected(theme.error());
     render::SheetOptions sheet;
-    sheet.language = language_of(options.language);
+    sheet.language = options.language;
     sheet.paper = options.paper == Paper::a3       ? render::Paper::a3
                   : options.paper == Paper::letter ? render::Paper::letter
                                                    : render::Paper::a4;
@@ -149,8 +149,7 @@ Text remark_on_missing(const std::vector<std::string>& characters) {
     std::string absent;
     for (const std::string& character : in_unicode_order(characters))
         absent += (absent.empty() ? "" : ", ") + character;
-    return text_of(Words("the font has no {0}: drawn as its code in a box",
-                         "il font non ha {0}: disegnato come codice in un riquadro", absent));
+    return text_of(Words(lang::library::the_font_has_no_drawn, absent));
 }
 
 std::size_t Drawing::pages() const { return state().pages.size(); }
@@ -171,9 +170,7 @@ Expected<std::string> Drawing::png(std::size_t page, double dpi) const {
     constexpr double least = 20, most = 1200;
     if (page >= state().pages.size() || !(dpi >= least && dpi <= most))
         return refused(Diagnostic::Kind::bad_input,
-                       Words("a page from 0 to {0} at 20 to 1200 dots per inch can be painted",
-                             "si può dipingere una pagina da 0 a {0} a 20–1200 punti per pollice",
-                             std::to_string(state().pages.size() - 1)));
+                       Words(lang::library::a_page_from_0, std::to_string(state().pages.size() - 1)));
     return painted([&](const render::Fonts& fonts) { return render::to_png(state().pages[page], fonts, dpi); });
 }
 
@@ -199,8 +196,7 @@ Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_ou
 }
 
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
-    if (solved.empty())
-        return refused(Diagnostic::Kind::bad_input, {"there is no solution to draw", "nessuna soluzione da disegnare"});
+    if (solved.empty()) return refused(Diagnostic::Kind::bad_input, {lang::library::there_is_no_solution_to_draw});
     return drawing_of(options, [&](const render::SheetOptions& sheet, const render::Fonts& fonts, auto& remarks) {
         Expected<std::vector<render::Page>> pages;
         for (const Solved& each : solved) {
@@ -217,8 +213,7 @@ Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) {
 }
 
 Expected<Drawing> joined(const std::vector<Drawing>& drawings) {
-    if (drawings.empty())
-        return refused(Diagnostic::Kind::bad_input, {"there is no drawing to join", "nessun disegno da unire"});
+    if (drawings.empty()) return refused(Diagnostic::Kind::bad_input, {lang::library::there_is_no_drawing_to_join});
     std::vector<render::Page> pages;
     std::vector<Text> remarks;
     std::vector<std::string> missing;
@@ -255,9 +250,8 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
     if (!solution.mechanism.cam_file.empty()) remarks.push_back(text_of(app::cam_stays(solution.mechanism)));
     if (!solution.mechanism.drivers.empty() && is_beyond_moving(solution.mechanism))
-        remarks.push_back(text_of(Words("the page does not move: it has more than {0} bodies or {1} drivers",
-                                        "la pagina non si muove: ha più di {0} corpi o {1} moventi",
-                                        std::to_string(most_moved_bodies), std::to_string(most_moved_drivers))));
+        remarks.push_back(text_of(Words(lang::library::the_page_does_not_move, std::to_string(most_moved_bodies),
+                                        std::to_string(most_moved_drivers))));
     return LivePage{std::move(html), std::move(remarks)};
 }
 

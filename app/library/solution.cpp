@@ -7,6 +7,7 @@
 #include "engine/results/quantity_name.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/library.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/figures/figure.hpp"
@@ -31,14 +32,10 @@ namespace {
 std::optional<Text> why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
         case render::NoLever::drawn: break;
-        case render::NoLever::no_forces:
-            return text_of(Words("no forces act, or none are asked for", "nessuna forza agisce o è richiesta"));
+        case render::NoLever::no_forces: return text_of(Words(lang::library::no_forces_act_or_none));
         case render::NoLever::no_velocities:
-            return text_of(Words("forces have powers only where something is driven and its velocities are known",
-                                 "le forze hanno potenza solo dove qualcosa è comandato e le sue velocità sono note"));
-        case render::NoLever::nothing_moves:
-            return text_of(
-                Words("no force acts at a point that moves", "nessuna forza agisce in un punto che si muove"));
+            return text_of(Words(lang::library::forces_have_powers_only_where_something));
+        case render::NoLever::nothing_moves: return text_of(Words(lang::library::no_force_acts_at_a_point));
     }
     return std::nullopt;
 }
@@ -121,12 +118,9 @@ std::optional<Text> Solved::why_without(Addition addition) const {
     };
     switch (addition) {
         case Addition::lever: return why_no_lever(solution);
-        case Addition::equations:
-            return reason(solution.equations, {"a problem in place of joints has no loops",
-                                               "un problema al posto delle coppie non ha maglie"});
+        case Addition::equations: return reason(solution.equations, {lang::library::a_problem_in_place_of_joints});
         case Addition::virtual_work:
-            return reason(solution.displacements, {"a problem in place of joints has no bodies that are displaced",
-                                                   "un problema al posto delle coppie non ha corpi da spostare"});
+            return reason(solution.displacements, {lang::library::a_problem_in_place_of_joints_has});
     }
     return std::nullopt;
 }
@@ -140,19 +134,15 @@ std::vector<CheckedValue> Solved::checks() const {
 
 std::string Solved::json(bool exact) const { return results_json(state().solution, exact, render::in_english); }
 
-std::string Solved::table(Language language) const {
-    return render::results_table(state().solution, language_of(language));
-}
+std::string Solved::table(Language language) const { return render::results_table(state().solution, language); }
 
 Expected<std::string> Solved::equations(Language language) const {
     const Solution& solution = state().solution;
     if (!solution.equations)
-        return refused(Diagnostic::Kind::bad_input,
-                       {"the closure equations were not asked for", "le equazioni di chiusura non sono richieste"});
+        return refused(Diagnostic::Kind::bad_input, {lang::library::the_closure_equations_were_not_asked});
     if (!solution.equations->why_not.empty())
-        return refused(Diagnostic::Kind::bad_input,
-                       Words("no equations: {0}", "nessuna equazione: {0}", solution.equations->why_not));
-    return render::as_text(render::equation_items(solution, language_of(language)));
+        return refused(Diagnostic::Kind::bad_input, Words(lang::library::no_equations, solution.equations->why_not));
+    return render::as_text(render::equation_items(solution, language));
 }
 
 }  // namespace kinegraph

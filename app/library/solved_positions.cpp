@@ -9,6 +9,7 @@
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/positions.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "lang/keys/library.hpp"
 #include "render/text/language.hpp"
 
 namespace kinegraph::app {
@@ -28,8 +29,7 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
     const auto rates = rates_at(*law, coordinate.to_double());
     if (rates) return *rates;
     const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
-    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
-                                "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
+    return tl::unexpected(Words(lang::library::the_law_of_driver_goes, text(coordinate.to_double()),
                                 name_of_driver(mechanism, driver), text(rates.error().first),
                                 text(rates.error().second)));
 }
@@ -70,19 +70,14 @@ tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsW
             continue;
         }
         if (!turns(mechanism, driver))
-            return tl::unexpected(Words("{0}at {1}: a slide has no whole turn; give its positions",
-                                        "{0}at {1}: uno scorrimento non ha giro intero; dare le sue posizioni", dashes,
-                                        text));
+            return tl::unexpected(Words(lang::library::at_a_slide_has_no_whole, dashes, text));
         if (read->sign() <= 0 || *read * Exact(static_cast<int>(most)) < 2 * pi())
-            return tl::unexpected(Words("{0}at {1}: a turn is divided into 1 to {2} positions",
-                                        "{0}at {1}: un giro si divide in 1–{2} posizioni", dashes, text,
-                                        std::to_string(most)));
+            return tl::unexpected(Words(lang::library::at_a_turn_is_divided, dashes, text, std::to_string(most)));
         for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
     }
     if (beyond) return tl::unexpected(Words(dashes + "at ") + *beyond);
     if (all.size() > most)
-        return tl::unexpected(Words("{0}at: at most {1} positions in one run",
-                                    "{0}at: al più {1} posizioni in un comando", dashes, std::to_string(most)));
+        return tl::unexpected(Words(lang::library::at_at_most_positions, dashes, std::to_string(most)));
     return all;
 }
 
@@ -90,8 +85,8 @@ tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsW
 void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
     Words& title = mechanism.title;
     if (title.empty()) title = mechanism.source;
-    title = render::in_all([&](render::Language language) { return in(title, language); }) +
-            Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
+    title = render::in_all([&](Language language) { return in(title, language); }) +
+            Words(lang::library::name_with_value, driver, turn);
 }
 
 }  // namespace
@@ -129,12 +124,7 @@ Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const
                 return wrong(Words(dashes + "at: ") +
                              out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
             if (here.is_singular())
-                return wrong({"{0}at: at {1} the mechanism is at a change point, where it has no one answer; ask for a "
-                              "position beside it",
-                              "{0}at: a {1} il meccanismo è in un punto di biforcazione, senza risposta unica; "
-                              "chiedere una posizione vicina",
-                              dashes, text},
-                             ErrorCode::no_unique_answer);
+                return wrong({lang::library::at_at_the_mechanism, dashes, text}, ErrorCode::no_unique_answer);
             Repositioned moved = mover.moved(here, coordinate);
             put_rates(moved.mechanism);
             const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };

@@ -65,8 +65,6 @@ struct Drawing::State : Owned {
 /// The thread's fonts, opened once. Each call clears the list of missing characters. Error: the font is missing.
 Expected<const render::Fonts*> fonts_of_thread();
 
-render::Language language_of(Language language);
-Words words_of(const Text& text);
 Text text_of(const Words& words);
 Text text_of(const Message& message);
 std::vector<Text> texts_of(const std::vector<Words>& all);

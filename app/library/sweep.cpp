@@ -10,6 +10,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "lang/keys/sweeps.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 
 namespace kinegraph {
@@ -35,8 +36,7 @@ Sweep::~Sweep() { delete state_; }
 
 Expected<Sweep> Sweep::of(const MechanismFile& file, const SweepOptions& options) {
     if (options.over.empty() && !file.has_joints())
-        return refused(Diagnostic::Kind::bad_input, {"the file states a problem in place of joints: nothing moves",
-                                                     "il file pone un problema al posto delle coppie: nulla si muove"});
+        return refused(Diagnostic::Kind::bad_input, {lang::sweeps::the_file_states_a_problem});
     auto state = options.over.empty() ? sweep_of_driver(file.state().mechanism, options)
                                       : sweep_of_parameter(file.state(), options);
     if (!state) return tl::unexpected(state.error());
@@ -117,11 +117,8 @@ std::vector<Text> Sweep::summary() const {
     if (const LargestDifference::Found off = state_->difference(); off.column >= 0) {
         std::array<char, 32> share{};
         std::snprintf(share.data(), share.size(), "%.1e", off.share);
-        lines.emplace_back(
-            "largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
-            "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
-            app::decimal(share.data()), state_->table.columns[at_index(off.column)].name,
-            state_->coordinate_text(off.coordinate));
+        lines.emplace_back(lang::sweeps::largest_difference_from_the_numeric_check, decimal_words(share.data()),
+                           state_->table.columns[at_index(off.column)].name, state_->coordinate_text(off.coordinate));
     }
     return texts_of(lines);
 }
@@ -132,8 +129,7 @@ double Sweep::largest_difference() const { return state_->difference().share; }
 Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
     Sweep::State& state = sweep.state();
     if (stands_for_joints(state.mechanism))
-        return refused(Diagnostic::Kind::bad_input, {"a problem in place of joints has no plots",
-                                                     "un problema al posto delle coppie non ha diagrammi"});
+        return refused(Diagnostic::Kind::bad_input, {lang::sweeps::a_problem_in_place_of_joints});
     if (!state.has_rows)
         if (const auto computed = sweep.write({}); !computed) return tl::unexpected(computed.error());
     return drawing_of(options,

@@ -8,6 +8,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -33,24 +34,19 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
     for (const std::string& text : asked) {
         const std::size_t comma = text.find(',');
         if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-            return tl::unexpected(Words("{1}centrodes {0} is no pair of bodies; give two as \"1,3\"",
-                                        "{1}centrodes {0} non è una coppia di corpi; darne due come \"1,3\"",
-                                        quoted(text), dashes));
+            return tl::unexpected(Words(lang::sweeps::centrodes_is_no_pair_of_bodies, quoted(text), dashes));
         std::array<BodyIndex, 2> bodies{none, none};
         const std::array parts{trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))};
         for (std::size_t i = 0; i < 2; ++i) {
             const auto body = mechanism.body_named(parts[i]);
             Speller speller;
             if (!body)
-                return tl::unexpected(Words("{2}centrodes: no body is named {0}{1}",
-                                            "{2}centrodes: nessun corpo si chiama {0}{1}", quoted(parts[i]),
+                return tl::unexpected(Words(lang::sweeps::centrodes_no_body_is_named, quoted(parts[i]),
                                             did_you_mean(speller.nearest(parts[i], names)), dashes));
             bodies[i] = *body;
         }
         if (bodies[0] == bodies[1])
-            return tl::unexpected(Words("{1}centrodes {0}: a body has no motion against itself; give two bodies",
-                                        "{1}centrodes {0}: un corpo non si muove rispetto a se stesso; dare due corpi",
-                                        quoted(text), dashes));
+            return tl::unexpected(Words(lang::sweeps::centrodes_a_body_has_no_motion, quoted(text), dashes));
         pairs.emplace_back(bodies[0], bodies[1]);
     }
     return pairs;

@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "constructions/positions/centrodes.hpp"
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 #include "render/figures/plot_figure.hpp"
 
 namespace kinegraph::app {

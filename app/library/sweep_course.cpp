@@ -5,6 +5,7 @@
 
 #include "app/library/driver_choice.hpp"
 #include "constructions/positions/cycle.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -15,13 +16,9 @@ std::optional<Words> add_along(const SweepOptions& options, const Mechanism& mec
     const std::string& dashes = options.dashes;
     const int first = asked.course.driver;
     if (law_of(mechanism, first) != nullptr)
-        return Words("{0}step: driver {1} has a law, and moves in steps of time",
-                     "{0}step: il movente {1} ha una legge, e si muove a passi di tempo", dashes,
-                     name_of_driver(mechanism, first));
+        return Words(lang::sweeps::step_driver_has_a_law, dashes, name_of_driver(mechanism, first));
     if (!asked.to && !turns(mechanism, first))
-        return Words("{0}step counts the steps of driver {1}; say how far it goes with {0}to",
-                     "{0}step conta i passi del movente {1}; dire fin dove va con {0}to", dashes,
-                     name_of_driver(mechanism, first));
+        return Words(lang::sweeps::step_counts_the_steps_of_driver, dashes, name_of_driver(mechanism, first));
     const Exact from = asked.from.value_or(0);
     const Exact way = asked.to ? *asked.to - from : 2 * pi();
     for (const DriverAlong& each : options.along) {
@@ -29,7 +26,7 @@ std::optional<Words> add_along(const SweepOptions& options, const Mechanism& mec
         if (!driver) return driver.error();
         const auto is_taken = [&](const Course::Along& other) { return other.driver == *driver; };
         if (*driver == first || std::any_of(asked.course.along.begin(), asked.course.along.end(), is_taken))
-            return Words("{0}driver {1} is given twice", "{0}driver {1} è dato due volte", dashes, each.driver);
+            return Words(lang::sweeps::driver_is_given_twice, dashes, each.driver);
         const auto step = coordinate_of(mechanism, *driver, each.step);
         if (!step) return dashes + "step " + step.error();
         asked.course.along.push_back({*driver, *step * Exact::from_double(static_cast<double>(options.steps)) / way});
@@ -54,10 +51,8 @@ tl::expected<AskedCourse, Words> course_asked(const SweepOptions& options, const
         *value = *read;
     }
     if (asked.from && asked.to && *asked.from == *asked.to)
-        return tl::unexpected(Words("{0}from and {0}to are the same position; solve {0}at gives one",
-                                    "{0}from e {0}to sono la stessa posizione; solve {0}at ne dà una", dashes));
-    if (options.steps < 2)
-        return tl::unexpected(Words("{0}steps: at least 2 are needed", "{0}steps: ne occorrono almeno 2", dashes));
+        return tl::unexpected(Words(lang::sweeps::from_and_to_are_the_same_position, dashes));
+    if (options.steps < 2) return tl::unexpected(Words(lang::sweeps::steps_at_least_2_are_needed, dashes));
     if (const auto wrong = add_along(options, mechanism, asked)) return tl::unexpected(*wrong);
     return asked;
 }
@@ -75,9 +70,7 @@ tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mecha
     if (travel) return *travel;
     const TravelFault& fault = travel.error();
     const std::string name = name_of_driver(mechanism, driver);
-    if (!fault.limit)
-        return tl::unexpected(Words("driver {0} has no limit; give {1}from and {1}to",
-                                    "il movente {0} non ha limiti; dare {1}from e {1}to", name, dashes));
+    if (!fault.limit) return tl::unexpected(Words(lang::sweeps::driver_has_no_limit_give, name, dashes));
     return tl::unexpected(out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name,
                                        coordinate_text(mechanism, driver, *fault.limit)));
 }

@@ -5,11 +5,11 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/positions.hpp"
 #include "engine/sentences/column.hpp"
 #include "kinegraph/motion.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph::app {
 

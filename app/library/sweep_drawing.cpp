@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/file/spelling.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -63,21 +64,17 @@ tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::v
                 std::string known;
                 for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
                 Speller speller;
-                return tl::unexpected(Words("{2}plot: there is no quantity {0}{1}; there are {3}",
-                                            "{2}plot: non c’è la grandezza {0}{1}; ci sono {3}", quoted(name),
+                return tl::unexpected(Words(lang::sweeps::plot_there_is_no_quantity_there, quoted(name),
                                             did_you_mean(speller.nearest(name, names)), dashes, known));
             }
             plot.push_back(static_cast<std::size_t>(found - names.begin()));
             if (columns[plot.back()].unit != columns[plot.front()].unit)
                 return tl::unexpected(
-                    Words("{1}plot {0}: quantities of different units need plots of their own",
-                          "{1}plot {0}: grandezze di unità diverse vogliono ciascuna il suo diagramma", quoted(text),
-                          dashes));
+                    Words(lang::sweeps::plot_quantities_of_different_units_need, quoted(text), dashes));
         }
         constexpr std::size_t most = 4;
         if (plot.size() > most)
-            return tl::unexpected(Words("{1}plot {0}: at most four quantities in one plot",
-                                        "{1}plot {0}: al più quattro grandezze in un diagramma", quoted(text), dashes));
+            return tl::unexpected(Words(lang::sweeps::plot_at_most_four_quantities, quoted(text), dashes));
     }
     return plots;
 }
@@ -97,19 +94,17 @@ tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>
         trace.name = text;
         const auto point = mechanism.point_named(parts[0]);
         if (!point)
-            return tl::unexpected(Words("{2}trace: no point is named {0}{1}", "{2}trace: nessun punto si chiama {0}{1}",
-                                        quoted(parts[0]), nearest(parts[0], mechanism.points), dashes));
+            return tl::unexpected(Words(lang::sweeps::trace_no_point_is_named, quoted(parts[0]),
+                                        nearest(parts[0], mechanism.points), dashes));
         trace.point = *point;
         if (parts.size() > 2 || (parts.size() == 2 && !parts[1].starts_with("on ")))
-            return tl::unexpected(Words("{1}trace {0} is not P or \"P,on BODY\"",
-                                        "{1}trace {0} non è P né \"P,on CORPO\"", quoted(text), dashes));
+            return tl::unexpected(Words(lang::sweeps::trace_is_not_p_or_p, quoted(text), dashes));
         if (parts.size() == 2) {
             const std::string name = parts[1].substr(3);
             const auto body = mechanism.body_named(name);
             if (!body)
-                return tl::unexpected(Words("{2}trace: no body is named {0}{1}",
-                                            "{2}trace: nessun corpo si chiama {0}{1}", quoted(name),
-                                            nearest(name, mechanism.bodies), dashes));
+                return tl::unexpected(
+                    Words(lang::sweeps::trace_no_body_is_named, quoted(name), nearest(name, mechanism.bodies), dashes));
             trace.on = *body;
         }
         traces.push_back(std::move(trace));

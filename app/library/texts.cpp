@@ -6,6 +6,7 @@
 
 #include "app/library/state.hpp"
 #include "kinegraph/version.hpp"
+#include "lang/keys/library.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/words.hpp"
 
@@ -18,25 +19,18 @@ std::string_view version() {
     return KINEGRAPH_VERSION_TEXT(KINEGRAPH_VERSION_MAJOR, KINEGRAPH_VERSION_MINOR, KINEGRAPH_VERSION_PATCH);
 }
 
-std::string code_of(Language language) { return render::code_of(language_of(language)); }
-Language language_named(std::string_view code) {
-    return render::language_of(code) == render::Language::it ? Language::it : Language::en;
-}
 Text filled(const Text& pattern, const std::vector<Text>& arguments) {
-    std::array<Words, 10> words;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        words.at(i) = i < arguments.size() ? words_of(arguments[i]) : Words("{" + std::to_string(i) + "}");
-    return text_of(Words(pattern.in(Language::en), pattern.in(Language::it), words));
+    const std::vector<Words> words(arguments.begin(), arguments.end());
+    Text text;
+    for (const Language language : languages)
+        text.by_language.at(static_cast<std::size_t>(language)) =
+            formula_words(pattern.in(language), words).in(language);
+    return text;
 }
 
-render::Language language_of(Language language) {
-    return language == Language::it ? render::Language::it : render::Language::en;
-}
-
-Words words_of(const Text& text) { return {text.in(Language::en), text.in(Language::it)}; }
-Text text_of(const Words& words) { return {{in(words, render::Language::en), in(words, render::Language::it)}}; }
+Text text_of(const Words& words) { return words; }
 Text text_of(const Message& message) {
-    return {{render::tell(message, render::Language::en), render::tell(message, render::Language::it)}};
+    return render::in_all([&](Language language) { return render::tell(message, language); });
 }
 
 std::vector<Text> texts_of(const std::vector<Words>& all) {
@@ -74,8 +68,7 @@ std::vector<Setting> settings_of(const std::vector<ParameterValue>& values) {
 Expected<std::string> read_file(const std::string& path, const Words& kind) {
     constexpr std::size_t largest = std::size_t{64} << 20;
     const auto cannot_be_read = [&](const std::string& reason) {
-        return refused(Diagnostic::Kind::bad_input, Words("the {0} {1} cannot be read: {2}",
-                                                          "il {0} {1} non si può leggere: {2}", kind, path, reason));
+        return refused(Diagnostic::Kind::bad_input, Words(lang::library::the_cannot_be_read, kind, path, reason));
     };
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
@@ -85,8 +78,7 @@ Expected<std::string> read_file(const std::string& path, const Words& kind) {
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
         text.append(part.data(), count);
         if (text.size() > largest)
-            return refused(Diagnostic::Kind::bad_input,
-                           Words("the {0} {1} is larger than 64 MiB", "il {0} {1} supera 64 MiB", kind, path));
+            return refused(Diagnostic::Kind::bad_input, Words(lang::library::the_is_larger_than_64_mib, kind, path));
     }
     if (std::ferror(file.get()) != 0) return cannot_be_read(std::generic_category().message(errno));
     return text;

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
 namespace {
 
 Diagnostics ours(const char* what) {
-    return {{Diagnostic::Kind::bad_input, "",
-             Words("this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what))}};
+    return {{Diagnostic::Kind::bad_input, "", Words(lang::command_line::this_is_a_fault_of_ours, std::string(what))}};
 }
 
 }  // namespace
@@ -55,9 +55,8 @@ void WatchedFile::hand_over() {
     struct stat status {};
     // Reading a pipe would block.
     const bool can_be_read = ::stat(path_.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
-    auto text = can_be_read ? read_whole(path_, {"mechanism file", "file di meccanismo"})
-                            : tl::unexpected(Words("is no plain file, which could be saved again",
-                                                   "non è un file comune, che si possa salvare di nuovo"));
+    auto text = can_be_read ? read_whole(path_, {lang::command_line::mechanism_file})
+                            : tl::unexpected(Words(lang::command_line::is_no_plain_file_which_could));
     const std::lock_guard lock(mutex_);
     if (!text) {
         // The earlier content no longer counts: if the same content returns, it is solved again.

@@ -1,4 +1,5 @@
 #include "constructions/kinematics/degeneracy.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
                                          const std::optional<InstantMotion>& motion) {
     std::vector<Message> remarks;
     for (const Mobility::Redundant& redundant : mobility.redundant)
-        remarks.push_back({Sentence::repeated_constraints,
+        remarks.push_back({lang::sentences::repeated_constraints,
                            {file_name(mechanism.joints[at_index(redundant.joint)]), Count{redundant.rows}}});
     if (!motion || motion->freedoms == 0) return remarks;
 
@@ -38,7 +39,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
         return all;
     };
     if (!mobility.idle_drivers.empty()) {
-        if (!motion->still.empty()) remarks.push_back({Sentence::still_bodies, {names(motion->still)}});
+        if (!motion->still.empty()) remarks.push_back({lang::sentences::still_bodies, {names(motion->still)}});
         std::vector<BodyIndex> asked;
         for (const int driver : mobility.idle_drivers) {
             const auto* spin = std::get_if<SpinDriver>(&mechanism.drivers[at_index(driver)]);
@@ -46,26 +47,28 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
             if (spin != nullptr && std::find(unturning.begin(), unturning.end(), spin->body) != unturning.end())
                 asked.push_back(spin->body);
         }
-        if (!asked.empty()) remarks.push_back({Sentence::unturning_bodies, {names(asked)}});
+        if (!asked.empty()) remarks.push_back({lang::sentences::unturning_bodies, {names(asked)}});
     }
     const Count freedoms{motion->freedoms};
     switch (motion->second_order) {
         case InstantMotion::SecondOrder::unasked:
         case InstantMotion::SecondOrder::free: break;
-        case InstantMotion::SecondOrder::impossible: remarks.push_back({Sentence::instant_only, {freedoms}}); break;
+        case InstantMotion::SecondOrder::impossible:
+            remarks.push_back({lang::sentences::instant_only, {freedoms}});
+            break;
         case InstantMotion::SecondOrder::open:
             if (motion->conditions > 0)
-                remarks.push_back({Sentence::bound_velocities, {freedoms, Count{motion->conditions}}});
+                remarks.push_back({lang::sentences::bound_velocities, {freedoms, Count{motion->conditions}}});
             break;
         case InstantMotion::SecondOrder::branches: {
             const auto count = static_cast<int>(motion->branches.size());
-            remarks.push_back({Sentence::change_point, {freedoms, Count{mobility.gruebler}, Count{count}}});
+            remarks.push_back({lang::sentences::change_point, {freedoms, Count{mobility.gruebler}, Count{count}}});
             for (int i = 0; i < count; ++i) {
                 const Branch& branch = motion->branches[at_index(i)];
                 if (branch.reference == none)
-                    remarks.push_back({Sentence::branch_without_turning, {Count{i + 1}}});
+                    remarks.push_back({lang::sentences::branch_without_turning, {Count{i + 1}}});
                 else
-                    remarks.push_back({Sentence::branch, {Count{i + 1}, ratios_of(branch, mechanism)}});
+                    remarks.push_back({lang::sentences::branch, {Count{i + 1}, ratios_of(branch, mechanism)}});
             }
             break;
         }
@@ -88,7 +91,7 @@ std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& 
         if (has_others || pins.size() < 2 || !std::all_of(pins.begin(), pins.end(), is_at_first)) continue;
         Names names;
         for (const PointIndex pin : pins) names.push_back(mechanism.point(pin).name);
-        remarks.push_back({Sentence::link_without_length, {BodyName{mechanism.body(body).name}, names}});
+        remarks.push_back({lang::sentences::link_without_length, {BodyName{mechanism.body(body).name}, names}});
     }
     return remarks;
 }
@@ -100,7 +103,7 @@ std::vector<Message> remarks_on_gravity(const Mechanism& mechanism) {
     const double size = length(*mechanism.gravity);
     if (size == 0 || (size >= least && size <= most)) return {};
     const Unit& unit = mechanism.units.acceleration;
-    return {{Sentence::strange_gravity, {Amount{size / unit.si.to_double(), unit.symbol}}}};
+    return {{lang::sentences::strange_gravity, {Amount{size / unit.si.to_double(), unit.symbol}}}};
 }
 
 }  // namespace kinegraph

@@ -7,6 +7,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -14,12 +15,12 @@ namespace {
 using Drawing = PointOn<Plane::drawing>;
 
 /// The sentence for the centre of a pair; none if the pair alone does not determine it.
-std::optional<Sentence> primary_sentence(const PlanePair& pair) {
-    if (pair.is_hinge()) return Sentence::primary_revolute;
-    if (pair.is_clamp()) return Sentence::primary_weld;
-    if (pair.is_sleeve()) return Sentence::primary_prismatic;
-    if (pair.meshes()) return Sentence::primary_gear;
-    if (pair.rolls()) return Sentence::primary_rolling;
+std::optional<Key> primary_sentence(const PlanePair& pair) {
+    if (pair.is_hinge()) return lang::sentences::primary_revolute;
+    if (pair.is_clamp()) return lang::sentences::primary_weld;
+    if (pair.is_sleeve()) return lang::sentences::primary_prismatic;
+    if (pair.meshes()) return lang::sentences::primary_gear;
+    if (pair.rolls()) return lang::sentences::primary_rolling;
     return std::nullopt;
 }
 
@@ -53,7 +54,7 @@ Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
     return centre_symbol(structure_.mechanism(), i, j, entry.point && board_.is_at_infinity(*entry.point));
 }
 
-StatementIndex InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
+StatementIndex InstantCentres::say(Key sentence, std::vector<Argument> arguments) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = Topic::centres;
@@ -85,7 +86,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
                                    joint.point);
         return;
     }
-    const std::optional<Sentence> says = primary_sentence(known);
+    const std::optional<Key> says = primary_sentence(known);
     if (entry.centre.as_one || !says) return;
     const auto names = [&] {
         return std::vector<Argument>{symbol(i, j),
@@ -165,7 +166,7 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
     if (!lines) return false;
     const auto& [first, second] = *lines;
     Pair& entry = pair(i, j);
-    entry.centre.statement = say(Sentence::kennedy, {});
+    entry.centre.statement = say(lang::sentences::kennedy, {});
     settle(entry, *board_.meet(line_of(i, j, first), line_of(i, j, second)), InstantCentre::How::kennedy);
     std::vector<Argument> names{symbol(i, j)}, normals;
     for (const Line& used : {first, second}) {
@@ -178,9 +179,9 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
             names.insert(names.end(), {symbol(i, used.by), symbol(used.by, j)});
         }
     }
-    const Sentence sentence = normals.empty()       ? Sentence::kennedy
-                              : normals.size() == 1 ? Sentence::kennedy_line
-                                                    : Sentence::kennedy_two_normals;
+    const Key sentence = normals.empty()       ? lang::sentences::kennedy
+                         : normals.size() == 1 ? lang::sentences::kennedy_line
+                                               : lang::sentences::kennedy_two_normals;
     names.insert(names.end(), normals.begin(), normals.end());
     board_.statement(entry.centre.statement).message = {sentence, std::move(names)};
     return true;
@@ -203,7 +204,7 @@ void InstantCentres::mark_rest() {
         centre.order = order_++;
         const BodyIndex group = rest_.here[at_index(centre.first)];
         const auto [known, is_new] = said.try_emplace(group, StatementIndex());
-        if (is_new) known->second = say(Sentence::no_relative_motion, {names_of_group(group)});
+        if (is_new) known->second = say(lang::sentences::no_relative_motion, {names_of_group(group)});
         centre.statement = known->second;
     }
 }
@@ -227,8 +228,8 @@ bool InstantCentres::by_relative_rest(BodyIndex i, BodyIndex j, bool InstantCent
             const Pair& source = pairs_[other];
             if (!(pairs_[rigid].centre.*rests) || !source.point) continue;
             settle(entry, *source.point, InstantCentre::How::kennedy);
-            entry.centre.statement =
-                say(Sentence::centre_by_rigidity, {symbol(i, j), symbol(source.centre.first, source.centre.second)});
+            entry.centre.statement = say(lang::sentences::centre_by_rigidity,
+                                         {symbol(i, j), symbol(source.centre.first, source.centre.second)});
             return true;
         }
     }
@@ -241,7 +242,7 @@ bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
         if (!board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
         Pair& entry = pair(i, j);
         settle(entry, *pair(i, k).point, InstantCentre::How::kennedy);
-        entry.centre.statement = say(Sentence::kennedy_same, {symbol(i, j), symbol(i, k), symbol(k, j)});
+        entry.centre.statement = say(lang::sentences::kennedy_same, {symbol(i, j), symbol(i, k), symbol(k, j)});
         return true;
     }
     board_.rewind(before);
@@ -329,13 +330,13 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
     const auto& track = motion.velocity;
     std::vector<std::pair<LineOn<Plane::drawing>, Place>> lines;
-    const StatementIndex statement = say(Sentence::centre_from_velocities, {});
+    const StatementIndex statement = say(lang::sentences::centre_from_velocities, {});
     const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
         settle(entry, point, InstantCentre::How::velocities);
         entry.centre.statement = statement;
         const bool two = first.name != second.name;
         board_.statement(statement).message = {
-            Sentence::centre_from_velocities,
+            lang::sentences::centre_from_velocities,
             {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
         if (first.point == none || second.point == none) return;
         entry.centre.normals = {first.point};
@@ -354,7 +355,8 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
                 entry.centre.everywhere = true;
                 entry.centre.how = InstantCentre::How::velocities;
                 entry.centre.statement = statement;
-                board_.statement(statement).message = {Sentence::centre_by_rigidity, {symbol(i, j), symbol(i, j)}};
+                board_.statement(statement).message = {lang::sentences::centre_by_rigidity,
+                                                       {symbol(i, j), symbol(i, j)}};
             } else {
                 settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), place, place);
             }
@@ -381,8 +383,9 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         if (board_.coincide(*absolute.point, *relative.point)) continue;
         Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
         Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
-        const StatementIndex statement = say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body),
-                                                                    symbol(driver, body), omega_driver});
+        const StatementIndex statement =
+            say(lang::sentences::second_way,
+                {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
         board_.statement(statement).section = Topic::velocity;
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
         const auto from_body = board_.vector(*absolute.point, *relative.point);

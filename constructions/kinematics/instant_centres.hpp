@@ -48,7 +48,7 @@ private:
     Pair& pair(BodyIndex i, BodyIndex j) { return pairs_[index(i, j)]; }
     bool solved(const Pair& pair) const { return pair.point.has_value() || pair.centre.everywhere; }
     Symbol symbol(BodyIndex i, BodyIndex j);
-    StatementIndex say(Sentence sentence, std::vector<Argument> arguments);
+    StatementIndex say(Key sentence, std::vector<Argument> arguments);
     void settle(Pair& pair, PointOn<Plane::drawing> point, InstantCentre::How how);
     void primary(JointIndex joint);
     void primary(JointIndex joint, BodyIndex i, BodyIndex j);

@@ -5,6 +5,8 @@
 #include "constructions/kinematics/instantaneous/centre.hpp"
 #include "constructions/kinematics/instantaneous/settling.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace act {
@@ -24,7 +26,7 @@ public:
             draw_images(velocities);
             explain(velocities);
         } else if (act_.wishes.centre) {
-            act_.unsolved(act_.sought_centre(), {Sentence::velocities_contradict, {}});
+            act_.unsolved(act_.sought_centre(), {lang::phrases::velocities_contradict, {}});
         }
         if (act_.wishes.accelerations) draw_accelerations(velocities);
         return std::move(act_.result);
@@ -74,21 +76,21 @@ private:
         if constexpr (is_velocity<plane>) {
             if (act_.result.figure.found == InstantaneousMotionFigure::Found::rest) return;
             if (board_.is_zero(state.track.spin(act_.body_index))) {
-                act_.begin<plane>(Sentence::translating_velocity,
+                act_.begin<plane>(lang::sentences::translating_velocity,
                                   {act_.body(), act_.name(index), act_.absolute<plane>(index)});
             } else if (act_.centre) {
                 act_.begin<plane>(
-                    Sentence::act_velocity,
+                    lang::sentences::act_velocity,
                     {act_.absolute<plane>(index), act_.name(index), act_.symbol_of_centre(), act_.spin<plane>()},
                     "Rivals");
             } else {
-                act_.begin<plane>(Sentence::image_velocity,
+                act_.begin<plane>(lang::sentences::image_velocity,
                                   {act_.name(index), act_.body(), act_.absolute<plane>(index),
                                    PointName{state.base->label}, act_.spin<Plane::velocity>()},
                                   "Rivals");
             }
         } else {
-            act_.begin<plane>(Sentence::image_acceleration,
+            act_.begin<plane>(lang::sentences::image_acceleration,
                               {act_.name(index), act_.body(), act_.absolute<plane>(index), PointName{state.base->label},
                                act_.spin<Plane::velocity>(), act_.spin<plane>()},
                               "Rivals");
@@ -103,42 +105,42 @@ private:
         if (state.base && act_.turns(state)) return;
         if (act_.wishes.centre && !located) {
             if (state.given.empty()) {
-                act_.unsolved(act_.sought_centre(), {Sentence::no_velocity_given, {}});
+                act_.unsolved(act_.sought_centre(), {lang::phrases::no_velocity_given, {}});
             } else {
                 act_.unsolved(act_.sought_centre(),
-                              {Sentence::centre_on_perpendicular, {act_.name(state.given.front().node)}});
+                              {lang::phrases::centre_on_perpendicular, {act_.name(state.given.front().node)}});
             }
         }
         if (!act_.wishes.velocities) return;
         if (located && act_.turns(state)) {
-            act_.unsolved(what, {Sentence::speed_of_translation_open, {}});
+            act_.unsolved(what, {lang::phrases::speed_of_translation_open, {}});
         } else if (located) {
             // A point of the file at the centre has zero velocity.
             for (const NodeIndex index : act_.structure.nodes_of(act_.body_index)) {
                 if (!state.track.has(index) && board_.coincide(act_.place(index), *act_.centre))
                     act_.set_tip(state, index, board_.pole<Plane::velocity>());
             }
-            act_.unsolved(what, {Sentence::size_open, {}});
+            act_.unsolved(what, {lang::phrases::size_open, {}});
         } else if (state.given.empty()) {
-            act_.unsolved(what, {Sentence::no_velocity_given, {}});
+            act_.unsolved(what, {lang::phrases::no_velocity_given, {}});
         } else {
-            act_.unsolved(what, {Sentence::turning_open, {}});
+            act_.unsolved(what, {lang::phrases::turning_open, {}});
         }
     }
 
     void draw_accelerations(const State<Plane::velocity>& velocities) {
         const Message what = act_.sought<Plane::acceleration>();
-        if (velocities.contradicted) return act_.unsolved(what, {Sentence::velocities_contradict, {}});
-        if (!act_.turns(velocities)) return act_.unsolved(what, {Sentence::omega_unknown, {}});
+        if (velocities.contradicted) return act_.unsolved(what, {lang::phrases::velocities_contradict, {}});
+        if (!act_.turns(velocities)) return act_.unsolved(what, {lang::phrases::omega_unknown, {}});
         if (act_.mechanism.motion->accelerations.empty())
-            return act_.unsolved(what, {Sentence::no_acceleration_given, {}});
+            return act_.unsolved(what, {lang::phrases::no_acceleration_given, {}});
         State<Plane::acceleration> state(act_.result.motion.acceleration);
         begin_polygon(state, act_.mechanism.motion->accelerations);
         Settling<Plane::acceleration>(act_).settle(state);
         if (state.contradicted) return;
         draw_images(state);
         if (!state.base || !act_.turns(state)) {
-            act_.unsolved(what, {Sentence::acceleration_open, {}});
+            act_.unsolved(what, {lang::phrases::acceleration_open, {}});
             return;
         }
         centre_.locate_acceleration_centre(state);

@@ -61,13 +61,13 @@ Symbol image_symbol(std::string label) {
 /// ε^I, ε^II.
 inline Symbol closing_error(int trial) { return {Symbol::Letter::error, "", trial == 1 ? "I" : "II"}; }
 template <Plane plane>
-constexpr Sentence either(Sentence velocity, Sentence acceleration) {
+constexpr Key either(Key velocity, Key acceleration) {
     return is_velocity<plane> ? velocity : acceleration;
 }
 
 /// Begins a sentence in the section of this plane; returns its index.
 template <Plane plane>
-StatementIndex state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+StatementIndex state(Board& board, Key sentence, std::vector<Argument> arguments, std::string source = {}) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = is_velocity<plane> ? Topic::velocity : Topic::acceleration;

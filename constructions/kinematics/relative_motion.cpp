@@ -8,6 +8,7 @@
 #include "constructions/kinematics/space_diagram.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -98,7 +99,7 @@ private:
         return {carried(point_), transport(), none};
     }
 
-    void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
+    void say(Key rotating, Key translating, Symbol::Letter letter, const char* source) {
         Statement statement;
         const std::string& name = structure_.node(point_).label;
         const auto symbol = [&](const char* term) { return Symbol{letter, name, term_of(term)}; };
@@ -119,7 +120,8 @@ private:
 
     /// v_P = v_tr + v_rel
     VectorOn<Plane::velocity> velocities() {
-        say(Sentence::relative_transport_velocity, Sentence::relative_translating_velocity, Symbol::Letter::v, "");
+        say(lang::sentences::relative_transport_velocity, lang::sentences::relative_translating_velocity,
+            Symbol::Letter::v, "");
         const auto from = motion_.velocity.tip(transport_), to = motion_.velocity.tip(point_);
         const int figure = polygon<Plane::velocity>("velocity");
         draw(figure, "", board_.pole<Plane::velocity>(), to, DrawnVector::Role::absolute);
@@ -130,8 +132,8 @@ private:
 
     /// a_P = a_tr + a_cor + a_rel, a_cor = 2 ω ∧ v_rel, which is zero for a translating observer.
     void accelerations(VectorOn<Plane::velocity> relative, RelativeMotion& result) {
-        say(Sentence::relative_transport_acceleration, Sentence::relative_translating_acceleration, Symbol::Letter::a,
-            "Coriolis");
+        say(lang::sentences::relative_transport_acceleration, lang::sentences::relative_translating_acceleration,
+            Symbol::Letter::a, "Coriolis");
         const auto from = motion_.acceleration.tip(transport_), to = motion_.acceleration.tip(point_);
         const ScalarHandle omega = translating_ ? board_.number(0) : motion_.velocity.spin(observer_);
         const auto coriolis =
@@ -246,7 +248,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
         const Symbol relative{
             Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
         const bool on_rest = joint.bodies[1] == frame;
-        const auto say = [&](Sentence sentence, const Symbol& symbol, Topic section) {
+        const auto say = [&](Key sentence, const Symbol& symbol, Topic section) {
             Statement statement;
             statement.message = {sentence, {symbol, PointName{structure.node(slider).label}}};
             if (on_rest) {
@@ -258,7 +260,8 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             statement.section = section;
             board.state(std::move(statement));
         };
-        say(on_rest ? Sentence::slide_velocity_on_rest : Sentence::slide_velocity, relative, Topic::velocity);
+        say(on_rest ? lang::sentences::slide_velocity_on_rest : lang::sentences::slide_velocity, relative,
+            Topic::velocity);
         const auto velocity = board.vector(motion.velocity.tip(guide), motion.velocity.tip(slider));
         result.velocity = Recorded<Vector>::at(velocity.element);
         if (with_accelerations && motion.acceleration.has(slider) && motion.acceleration.has(guide) &&
@@ -266,7 +269,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             Symbol symbol = relative;
             symbol.letter = Symbol::Letter::a;
             symbol.term = "rel";
-            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol,
+            say(on_rest ? lang::sentences::slide_acceleration_on_rest : lang::sentences::slide_acceleration, symbol,
                 Topic::acceleration);
             const ScalarHandle twice = board.product(board.number(2), motion.velocity.spin(joint.bodies[1]));
             const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));

@@ -6,6 +6,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -32,8 +33,8 @@ public:
         if (!read)
             return fails({ErrorCode::bad_input,
                           condition_.where,
-                          {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(kin->column.name),
-                           with_article(kind), quoted(side.text), described(*side.measured)}});
+                          {lang::positions::is_and, quoted(kin->column.name), with_article(kind), quoted(side.text),
+                           described(*side.measured)}});
         return read->in_si().to_double();
     }
 
@@ -86,23 +87,13 @@ std::optional<Error> missing_polygon(const Solution& solution, const Condition& 
     switch (condition.polygon) {
         case Condition::Polygon::velocity:
             if (moves(&PointMotion::velocity)) return std::nullopt;
-            return refused(
-                {"no velocity polygon is drawn of this file; take the condition out, or let it find velocities",
-                 "di questo file non si disegna un poligono delle velocità; togliere la condizione, o far trovare "
-                 "le velocità"});
+            return refused({lang::positions::no_velocity_polygon_is_drawn});
         case Condition::Polygon::acceleration:
             if (moves(&PointMotion::acceleration)) return std::nullopt;
-            return refused(
-                {"no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations",
-                 "di questo file non si disegna un poligono delle accelerazioni; togliere la condizione, o far "
-                 "trovare le accelerazioni"});
+            return refused({lang::positions::no_acceleration_polygon_is_drawn});
         case Condition::Polygon::force:
             if (!solution.forces.empty()) return std::nullopt;
-            return refused(
-                {"no force polygon is drawn of this file, which has no forces; take the condition out, or add "
-                 "\"loads\"",
-                 "di questo file, che non ha forze, non si disegna un poligono delle forze; togliere la condizione, "
-                 "o aggiungere \"loads\""});
+            return refused({lang::positions::no_force_polygon_is_drawn});
     }
     return std::nullopt;
 }

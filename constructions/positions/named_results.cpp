@@ -10,6 +10,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -66,7 +67,8 @@ public:
         add_efforts();
         if (solution_.problem)
             for (const ProblemValue& each : solution_.problem->values)
-                results_.push_back({{Column::Kind::named, {}, each.name.en, each.kind}, each.value, each.unit});
+                results_.push_back(
+                    {{Column::Kind::named, {}, in_english(each.name), each.kind}, each.value, each.unit});
         return std::move(results_);
     }
 
@@ -210,17 +212,13 @@ std::optional<Exact> exact_value(const NamedResult& result, const Solution& solu
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
                      const std::string& where) {
     if (!solution.unsolved.empty())
-        return {ErrorCode::no_unique_answer,
-                where,
-                {"{0} is not found in this position", "{0} non si trova in questa posizione", quoted(name)}};
+        return {ErrorCode::no_unique_answer, where, {lang::positions::is_not_found_in_this_position, quoted(name)}};
     Speller speller;
     std::vector<std::string_view> names;
     for (const NamedResult& each : results) names.emplace_back(each.column.name);
     return {ErrorCode::bad_input,
             where,
-            {"there is no result {0}{1}; what is found goes by \"find\"",
-             "non c’è un risultato {0}{1}; che cosa si trova dipende da \"find\"", quoted(name),
-             did_you_mean(speller.nearest(name, names))}};
+            {lang::positions::there_is_no_result_what, quoted(name), did_you_mean(speller.nearest(name, names))}};
 }
 
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constructions/solving/solve.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -24,8 +25,7 @@ std::vector<NamedResult> suited(const std::vector<NamedResult>& results) {
 
 /// A fault that occurs only with these values: its place, without the numbers.
 Words of_these_values(const Error& error) {
-    return {"no mechanism with these values ({0})", "nessun meccanismo con questi valori ({0})",
-            error.where.empty() ? std::string("/") : error.where};
+    return {lang::positions::no_mechanism_with_these_values, error.where.empty() ? std::string("/") : error.where};
 }
 
 }  // namespace
@@ -35,10 +35,7 @@ Result<Variants> Variants::of(std::string text, std::string source, std::vector<
     if (!original) return tl::unexpected(std::move(original.error()));
     const auto size = original->exercise ? Lattice::size(original->exercise->vary) : std::nullopt;
     if (!size || original->exercise->vary.empty())
-        return tl::unexpected(Errors{{ErrorCode::bad_input,
-                                      {},
-                                      {"nothing varies; add \"vary\" with the values that a parameter takes",
-                                       "non varia nulla; aggiungere \"vary\" con i valori che un parametro assume"}}});
+        return tl::unexpected(Errors{{ErrorCode::bad_input, {}, {lang::positions::nothing_varies_add_vary}}});
     return Variants(std::move(text), std::move(source), std::move(set), *std::move(original), seed, *size);
 }
 
@@ -77,11 +74,10 @@ Result<std::optional<Variant>> Variants::drawn(std::uint64_t number, const IsRea
     const auto exercise = mechanism->exercise;
     for (const Condition& each : exercise->require)
         if (each.holds && !*each.holds) return rejected(named(each));
-    if (drawn_.contains(exercise->comes_to))
-        return rejected({"the same mechanism as another variant’s", "lo stesso meccanismo di un’altra variante"});
+    if (drawn_.contains(exercise->comes_to)) return rejected({lang::positions::the_same_mechanism_as_another_variants});
     auto solved = solve(*std::move(mechanism));
     if (!solved) return rejected(of_these_values(solved.error().front()));
-    if (!solved->unsolved.empty()) return rejected({"no unique answer", "nessuna risposta unica"});
+    if (!solved->unsolved.empty()) return rejected({lang::positions::no_unique_answer});
     std::vector<NamedResult> results = results_for(*exercise, *solved);
     for (const Condition& each : exercise->require)
         if (auto missing = missing_polygon(*solved, each)) return tl::unexpected(Errors{*std::move(missing)});

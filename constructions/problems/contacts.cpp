@@ -1,3 +1,4 @@
+#include "lang/keys/contacts.hpp"
 #include "constructions/problems/methods.hpp"
 
 #include <algorithm>
@@ -20,25 +21,14 @@ public:
         const auto force = std::find_if(solution_.forces.begin(), solution_.forces.end(), [&](const JointForce& each) {
             return each.joint == given_.joint && joint_.connects(each.on) && each.force;
         });
-        if (force == solution_.forces.end())
-            return no(
-                Words("the force there was not found, so nothing is known to press: give loads, or ask for \"forces\"",
-                      "la forza in quel punto non è stata trovata e nulla risulta premere: dare carichi, o chiedere "
-                      "\"forces\""));
+        if (force == solution_.forces.end()) return no(Words(lang::contacts::the_force_there_was_not_found));
         HertzProblem problem = shape();
         if ((problem.bodies[0].curvature(0) + problem.bodies[1].curvature(0)).sign() <= 0)
-            return no(
-                Words("the concave radius is not larger than the convex one: the bodies do not touch in a line alone",
-                      "il raggio concavo non è maggiore di quello convesso: i corpi non si toccano solo in una linea"));
+            return no(Words(lang::contacts::the_concave_radius_is_not_larger));
         const auto [pushes, load] = load_of(on_first(*force->force, force->on));
-        if (!std::isfinite(load))
-            return no(Words("the force there is no number that could be drawn",
-                            "la forza in quel punto non è un numero tracciabile"));
-        if (load == 0)
-            return no(Words("no force acts there, so nothing presses", "lì non agisce alcuna forza, e nulla preme"));
-        if (!pushes)
-            return no(Words("the force found pulls the bodies apart there, so nothing presses",
-                            "la forza trovata lì separa i corpi, e nulla preme"));
+        if (!std::isfinite(load)) return no(Words(lang::contacts::the_force_there_is_no_number));
+        if (load == 0) return no(Words(lang::contacts::no_force_acts_there_so_nothing));
+        if (!pushes) return no(Words(lang::contacts::the_force_found_pulls_the_bodies));
         problem.force = Exact::from_double(load);
         HertzProblem checked = problem;
         checked.force = Exact::from_double(load_by_check().value_or(load));
@@ -50,7 +40,7 @@ public:
 
 private:
     tl::unexpected<Words> no(const Words& why) const {
-        return tl::unexpected(Words("Contact at {0}: {1}.", "Contatto in {0}: {1}.", joint_.name, why));
+        return tl::unexpected(Words(lang::contacts::contact_at, joint_.name, why));
     }
     const Vector& place() const { return solution_.pose.at(joint_.point); }
 
@@ -131,7 +121,7 @@ private:
 void find_contacts(Solution& solution) {
     if (!solution.mechanism.problem || stands_for_joints(solution.mechanism)) return;
     ProblemSolution all;
-    all.subject = {"Hertzian contact at joints", "Contatto hertziano nelle coppie"};
+    all.subject = {lang::contacts::hertzian_contact_at_joints};
     SolvedContacts contacts;
     for (const LoadedContact& given : std::get<LoadedContacts>(solution.mechanism.problem->of)) {
         auto contact = ContactAtJoint(solution, given).solved();
@@ -142,12 +132,10 @@ void find_contacts(Solution& solution) {
         const std::string& joint = solution.mechanism.joint(given.joint).name;
         for (const HertzBody& body : std::get<HertzProblem>(contact->stated->of).bodies)
             if (body.depth && !body.radii[0].is_zero() && !body.inside[0])
-                all.remarks.emplace_back(
-                    "At {0}: the depth of body {1} is not used; a convex body is counted from its axis.",
-                    "In {0}: la profondità del corpo {1} non serve; un corpo convesso si misura dal suo asse.", joint,
-                    solution.mechanism.body(body.body).name);
+                all.remarks.emplace_back(lang::contacts::at_the_depth_of_body, joint,
+                                         solution.mechanism.body(body.body).name);
         for (const Words& remark : contact->found->remarks)
-            all.remarks.emplace_back("At {0}: {1}", "In {0}: {1}", joint, remark);
+            all.remarks.emplace_back(lang::contacts::at_joint, joint, remark);
         contacts.push_back(*std::move(contact));
     }
     all.of = std::move(contacts);

@@ -8,6 +8,7 @@
 
 #include "constructions/problems/problems.hpp"
 #include "engine/check/check_problems.hpp"
+#include "lang/keys/finite_positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -173,31 +174,31 @@ std::vector<ProblemValue> values_of(const PositionsProblem& problem, const Posit
         const DisplacementCheck check = check_displacement(problem, each.from, each.to);
         const std::string both = both_of(each);
         if (each.kind == Displacement::Kind::translation) {
-            add({"translation {0} x", "traslazione {0} x", both}, "d_" + both + "x", length, each.way.x.to_double(),
+            add({lang::finite_positions::translation_x, both}, "d_" + both + "x", length, each.way.x.to_double(),
                 check.way.x);
-            add({"translation {0} y", "traslazione {0} y", both}, "d_" + both + "y", length, each.way.y.to_double(),
+            add({lang::finite_positions::translation_y, both}, "d_" + both + "y", length, each.way.y.to_double(),
                 check.way.y);
         }
         if (!each.pole) continue;
-        add({"pole {0} x", "polo {0} x", both}, "x_P" + both, length, each.pole->x.to_double(), check.pole.x);
-        add({"pole {0} y", "polo {0} y", both}, "y_P" + both, length, each.pole->y.to_double(), check.pole.y);
-        add({"angle {0}", "angolo {0}", both}, "φ_" + both, angle, each.angle, check.angle);
+        add({lang::finite_positions::pole_x, both}, "x_P" + both, length, each.pole->x.to_double(), check.pole.x);
+        add({lang::finite_positions::pole_y, both}, "y_P" + both, length, each.pole->y.to_double(), check.pole.y);
+        add({lang::finite_positions::angle, both}, "φ_" + both, angle, each.angle, check.angle);
     }
     for (std::size_t i = 0; i < found.pivots.size(); ++i) {
         const FixedPivot& pivot = found.pivots[i];
         if (!pivot.centre) continue;
         const auto [centre, radius] = check_pivot(problem, i);
         const std::string& point = problem.points.at(i);
-        add({"pivot {0} x", "cerniera {0} x", point}, "x_" + point + "0", length, pivot.centre->x.to_double(),
+        add({lang::finite_positions::pivot_x, point}, "x_" + point + "0", length, pivot.centre->x.to_double(),
             centre.x);
-        add({"pivot {0} y", "cerniera {0} y", point}, "y_" + point + "0", length, pivot.centre->y.to_double(),
+        add({lang::finite_positions::pivot_y, point}, "y_" + point + "0", length, pivot.centre->y.to_double(),
             centre.y);
-        add({"crank {0}", "manovella {0}", point}, "r_" + point, length, pivot.radius, radius);
+        add({lang::finite_positions::crank, point}, "r_" + point, length, pivot.radius, radius);
     }
     return values;
 }
 
-/// "0.012 mm", with the comma in Italian.
+/// "0.012 mm".
 Words said(double si, const Mechanism& mechanism) {
     const Unit& unit = mechanism.units.length;
     std::array<char, 40> digits{};
@@ -206,9 +207,7 @@ Words said(double si, const Mechanism& mechanism) {
                                    std::chars_format::general, most)
                          .ptr;
     const std::string text = std::string(digits.data(), end) + " " + unit.symbol;
-    std::string with_comma = text;
-    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-    return {text, with_comma};
+    return decimal_words(text);
 }
 
 std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSolution& found,
@@ -216,30 +215,20 @@ std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSo
     std::vector<Words> remarks;
     for (std::size_t i = 0; i < problem.positions.size(); ++i)
         if (problem.positions[i].moved > 0)
-            remarks.emplace_back("{0}{1} was moved by {2} along {3}{0}, so that the body keeps its distance.",
-                                 "{0}{1} è stato spostato di {2} lungo {3}{0}, perché il corpo conservi la distanza.",
-                                 problem.points[1], std::to_string(i + 1), said(problem.positions[i].moved, mechanism),
-                                 problem.points[0]);
+            remarks.emplace_back(lang::finite_positions::was_moved_by_along, problem.points[1], std::to_string(i + 1),
+                                 said(problem.positions[i].moved, mechanism), problem.points[0]);
     for (const Displacement& each : found.displacements)
         if (each.kind == Displacement::Kind::rest)
-            remarks.emplace_back("Positions {0} and {1} are the same: nothing takes one to the other.",
-                                 "Le posizioni {0} e {1} coincidono: nulla porta dall’una all’altra.",
+            remarks.emplace_back(lang::finite_positions::positions_and_are_the_same_nothing,
                                  std::to_string(each.from + 1), std::to_string(each.to + 1));
     for (std::size_t i = 0; i < found.pivots.size(); ++i) {
         const std::string& point = problem.points.at(i);
         if (found.pivots[i].kind == FixedPivot::Kind::straight)
-            remarks.emplace_back(
-                "The three places of {0} lie on a straight line: its pivot lies at infinity, and a slider on that line "
-                "guides it.",
-                "I tre luoghi di {0} stanno su una retta: la sua cerniera è all’infinito, e lo guida un corsoio su "
-                "quella retta.",
-                point);
+            remarks.emplace_back(lang::finite_positions::the_three_places_of_lie, point);
         if (found.pivots[i].kind == FixedPivot::Kind::free)
-            remarks.emplace_back("Two places of {0} coincide: every point of one bisector may be its pivot.",
-                                 "Due luoghi di {0} coincidono: ogni punto di un asse può esserne la cerniera.", point);
+            remarks.emplace_back(lang::finite_positions::two_places_of_coincide_every_point, point);
         if (found.pivots[i].kind == FixedPivot::Kind::fixed)
-            remarks.emplace_back("{0} keeps its place: it is itself the fixed pivot.",
-                                 "{0} non si sposta: è esso stesso la cerniera fissa.", point);
+            remarks.emplace_back(lang::finite_positions::keeps_its_place_it_is_itself, point);
     }
     return remarks;
 }
@@ -249,8 +238,8 @@ std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSo
 Result<ProblemSolution> solve_positions(const PositionsProblem& problem, const Mechanism& mechanism, const Pose& pose) {
     ProblemSolution solution;
     solution.subject = problem.positions.size() == 2
-                           ? Words("Finite displacement: its pole and its angle", "Spostamento finito: polo e angolo")
-                           : Words("Three positions: poles and fixed pivots", "Tre posizioni: poli e cerniere fisse");
+                           ? Words(lang::finite_positions::finite_displacement_its_pole)
+                           : Words(lang::finite_positions::three_positions_poles_and_fixed_pivots);
     PositionsSolution found = BoardOfPositions(problem, mechanism, pose).solution();
     solution.values = values_of(problem, found);
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));

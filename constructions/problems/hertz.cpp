@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/check/check_problems.hpp"
+#include "lang/keys/hertz.hpp"
 
 namespace kinegraph {
 namespace {
@@ -191,42 +192,33 @@ std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& 
             if (!radius.is_zero() && (least == 0 || radius.to_double() < least)) least = radius.to_double();
     constexpr double small = 0.1;  // relative to a radius: there the slope of the surfaces is a tenth
     if (const double widest = std::max(found.a, found.b); widest > small * least)
-        remarks.emplace_back(
-            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); "
-            "the theory presumes that it is.",
-            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore); la "
-            "teoria lo presuppone.");
+        remarks.emplace_back(lang::hertz::the_contact_is_not_small_beside);
     if (problem.line && problem.length.to_double() < 10 * found.b)
-        remarks.emplace_back(
-            "The line of contact is not long beside its width, as plane strain wants it.",
-            "La linea di contatto non è lunga rispetto alla larghezza, come vuole lo stato piano di deformazione.");
+        remarks.emplace_back(lang::hertz::the_line_of_contact_is_not);
     return remarks;
 }
 
 std::vector<ProblemValue> values_of(const HertzProblem& problem, const HertzSolution& found, const HertzCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values{
-        {{"effective radius", "raggio equivalente"}, "R", length, found.radius, check.radius},
-        {{"effective modulus", "modulo equivalente"}, "E*", pressure, found.modulus, check.modulus},
+        {{lang::hertz::effective_radius}, "R", length, found.radius, check.radius},
+        {{lang::hertz::effective_modulus}, "E*", pressure, found.modulus, check.modulus},
     };
     if (problem.line) {
-        values.push_back({{"half width", "semilarghezza"}, "b", length, found.b, check.b});
+        values.push_back({{lang::hertz::half_width}, "b", length, found.b, check.b});
     } else if (found.elliptic) {
-        values.push_back({{"semi-axis a", "semiasse a"}, "a", length, found.a, check.a});
-        values.push_back({{"semi-axis b", "semiasse b"}, "b", length, found.b, check.b});
-        values.push_back({{"contact radius", "raggio di contatto"},
-                          "c",
-                          length,
-                          std::sqrt(found.a * found.b),
-                          std::sqrt(check.a * check.b)});
+        values.push_back({{lang::hertz::semi_axis}, "a", length, found.a, check.a});
+        values.push_back({{lang::hertz::semi_axis_b}, "b", length, found.b, check.b});
+        values.push_back(
+            {{lang::hertz::contact_radius}, "c", length, std::sqrt(found.a * found.b), std::sqrt(check.a * check.b)});
     } else {
-        values.push_back({{"contact radius", "raggio di contatto"}, "a", length, found.a, check.a});
+        values.push_back({{lang::hertz::contact_radius}, "a", length, found.a, check.a});
     }
-    values.push_back({{"mean pressure", "pressione media"}, "p_m", pressure, found.mean, check.mean});
-    values.push_back({{"greatest pressure", "pressione massima"}, "p_0", pressure, found.greatest, check.greatest});
-    values.push_back({{"approach", "accostamento"}, "δ", length, found.approach, check.approach});
-    values.push_back({{"greatest shear", "tensione tangenziale massima"}, "τ_max", pressure, found.shear, check.shear});
-    values.push_back({{"depth of greatest shear", "sua profondità"}, "z_τ", length, found.depth, check.depth});
+    values.push_back({{lang::hertz::mean_pressure}, "p_m", pressure, found.mean, check.mean});
+    values.push_back({{lang::hertz::greatest_pressure}, "p_0", pressure, found.greatest, check.greatest});
+    values.push_back({{lang::hertz::approach}, "δ", length, found.approach, check.approach});
+    values.push_back({{lang::hertz::greatest_shear}, "τ_max", pressure, found.shear, check.shear});
+    values.push_back({{lang::hertz::depth_of_greatest_shear}, "z_τ", length, found.depth, check.depth});
     return values;
 }
 
@@ -247,15 +239,9 @@ Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProb
     solution.values = values_of(problem, found, check_hertz(checked));
     for (const ProblemValue& each : solution.values)
         if (!std::isfinite(each.value) || !std::isfinite(*each.numeric) || !(each.value > 0))
-            return tl::unexpected(Errors{{ErrorCode::bad_input,
-                                          "/hertz",
-                                          {"these numbers are too far apart for a contact: {0} comes out as no "
-                                           "positive number; check the units of force, radii and moduli",
-                                           "questi numeri sono troppo lontani fra loro per un contatto: {0} non "
-                                           "risulta un numero positivo; controllare le unità di forza, raggi e moduli",
-                                           each.name}}});
-    solution.subject = {"Hertzian contact: pressure, approach and stresses",
-                        "Contatto hertziano: pressione, accostamento e tensioni"};
+            return tl::unexpected(
+                Errors{{ErrorCode::bad_input, "/hertz", {lang::hertz::these_numbers_are_too_far_apart, each.name}}});
+    solution.subject = {lang::hertz::hertzian_contact_pressure_approach};
     solution.remarks = remarks_on(problem, found);
     solution.of = std::move(found);
     return solution;

@@ -5,6 +5,7 @@
 #include "constructions/problems/problems.hpp"
 #include "engine/check/check_problems.hpp"
 #include "engine/number/geometry.hpp"
+#include "lang/keys/impact.hpp"
 
 namespace kinegraph {
 namespace {
@@ -32,10 +33,7 @@ public:
         for (std::size_t i = 0; i < 2; ++i) {
             const ImpactBody& given = problem_.bodies.at(i);
             if (!given.pivot || !(inertia_about_pivot(given, found_.bodies.at(i))).is_zero()) continue;
-            return Error{ErrorCode::bad_input,
-                         given.where,
-                         {"this body has its centre on its pivot and no inertia; give an \"inertia\"",
-                          "questo corpo ha il baricentro sulla cerniera e nessuna inerzia; assegnare \"inertia\""}};
+            return Error{ErrorCode::bad_input, given.where, {lang::impact::this_body_has_its_centre}};
         }
         find_velocities();
         find_compliance();
@@ -109,17 +107,9 @@ private:
         }
     }
     Error parting() const {
-        return {
-            ErrorCode::bad_input, problem_.where,
-            found_.approach.is_zero()
-                ? Words("the bodies do not approach at the point of impact, so there is none; check \"velocity\" and "
-                        "\"normal\"",
-                        "nel punto d’urto i corpi non si avvicinano, quindi non c’è urto; controllare \"velocity\" e "
-                        "\"normal\"")
-                : Words("the bodies part at the point of impact, so there is none; check \"velocity\", or the sense of "
-                        "\"normal\", which points from the second body to the first where their centres do not tell",
-                        "nel punto d’urto i corpi si allontanano, quindi non c’è urto; controllare \"velocity\", o il "
-                        "verso di \"normal\", che va dal secondo corpo al primo dove i baricentri non lo dicono")};
+        return {ErrorCode::bad_input, problem_.where,
+                found_.approach.is_zero() ? Words(lang::impact::the_bodies_do_not_approach)
+                                          : Words(lang::impact::the_bodies_part_at_the_point)};
     }
     void classify() {
         found_.central = true;
@@ -233,40 +223,35 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
     };
     // With their keys in the results file; the names for readers include the body, and "after the impact".
     const Words first = called(mechanism.body(problem.bodies[0].body));
-    add({"impulse x", "impulso x"}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
-    values.back().spoken = Words("{0}: impulse received, along x", "{0}: impulso ricevuto, lungo x", first);
-    add({"impulse y", "impulso y"}, "J_y", dimensionless, found.impulse.y, check.impulse[1], "N s");
-    values.back().spoken = Words("{0}: impulse received, along y", "{0}: impulso ricevuto, lungo y", first);
+    add({lang::impact::impulse_x}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
+    values.back().spoken = Words(lang::impact::impulse_received_along_x, first);
+    add({lang::impact::impulse_y}, "J_y", dimensionless, found.impulse.y, check.impulse[1], "N s");
+    values.back().spoken = Words(lang::impact::impulse_received_along_y, first);
     for (std::size_t i = 0; i < 2; ++i) {
         const ImpactSolution::Body& body = found.bodies.at(i);
         const ImpactCheck::Body& checked = check.bodies.at(i);
         if (body.fixed) continue;
         const kinegraph::Body& given = mechanism.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        const auto add_of = [&](const Words& key, const Words& spoken, std::string symbol, QuantityKind kind,
-                                const Exact& value, double numeric, const char* unit = "") {
-            add(Words(key.en, key.it, given.name), std::move(symbol), kind, value, numeric, unit);
-            values.back().spoken = Words(spoken.en, spoken.it, called(given));
+        const auto add_of = [&](Key key, Key spoken, std::string symbol, QuantityKind kind, const Exact& value,
+                                double numeric, const char* unit = "") {
+            add(Words(key, given.name), std::move(symbol), kind, value, numeric, unit);
+            values.back().spoken = Words(spoken, called(given));
         };
-        add_of({"velocity {0} x", "velocità {0} x"},
-               {"{0}: velocity afterwards, along x", "{0}: velocità dopo l’urto, lungo x"}, "v′_" + n + "x", velocity,
+        add_of(lang::impact::velocity_x, lang::impact::velocity_afterwards_along_x, "v′_" + n + "x", velocity,
                body.after.x, checked.velocity[0]);
-        add_of({"velocity {0} y", "velocità {0} y"},
-               {"{0}: velocity afterwards, along y", "{0}: velocità dopo l’urto, lungo y"}, "v′_" + n + "y", velocity,
+        add_of(lang::impact::velocity_y, lang::impact::velocity_afterwards_along_y, "v′_" + n + "y", velocity,
                body.after.y, checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
-            add_of({"angular velocity {0}", "velocità angolare {0}"},
-                   {"{0}: angular velocity afterwards", "{0}: velocità angolare dopo l’urto"}, "ω′_" + n,
+            add_of(lang::impact::angular_velocity, lang::impact::angular_velocity_afterwards, "ω′_" + n,
                    angular_velocity, body.omega_after, checked.omega);
         if (!body.reaction) continue;
-        add_of({"pivot {0} x", "cerniera {0} x"},
-               {"{0}: impulse of the pivot, along x", "{0}: impulso della cerniera, lungo x"}, "R_" + n + "x",
-               dimensionless, body.reaction->x, checked.reaction[0], "N s");
-        add_of({"pivot {0} y", "cerniera {0} y"},
-               {"{0}: impulse of the pivot, along y", "{0}: impulso della cerniera, lungo y"}, "R_" + n + "y",
-               dimensionless, body.reaction->y, checked.reaction[1], "N s");
+        add_of(lang::impact::pivot_x, lang::impact::impulse_of_the_pivot_along_x, "R_" + n + "x", dimensionless,
+               body.reaction->x, checked.reaction[0], "N s");
+        add_of(lang::impact::pivot_y, lang::impact::impulse_of_the_pivot_along_y, "R_" + n + "y", dimensionless,
+               body.reaction->y, checked.reaction[1], "N s");
     }
-    add({"energy lost", "energia perduta"}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
+    add({lang::impact::energy_lost}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
     return values;
 }
 
@@ -276,23 +261,15 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
     Impact impact(problem, pose);
     if (auto error = impact.set_up()) return tl::unexpected(Errors{*std::move(error)});
     if (!impact.run())
-        return tl::unexpected(Errors{{ErrorCode::no_unique_answer,
-                                      problem.where,
-                                      {"with this friction the sliding bodies jam: the compression never ends, and "
-                                       "rigid bodies have no answer; lower \"friction\"",
-                                       "con questo attrito i corpi che strisciano si bloccano: la compressione non "
-                                       "finisce mai, e corpi rigidi non danno risposta; ridurre \"friction\""}}});
+        return tl::unexpected(Errors{
+            {ErrorCode::no_unique_answer, problem.where, {lang::impact::with_this_friction_the_sliding_bodies}}});
     ImpactSolution found = std::move(impact).solution();
     ProblemSolution solution;
-    solution.subject = {"Impact: momentum, restitution and friction", "Urto: quantità di moto, restituzione e attrito"};
+    solution.subject = {lang::impact::impact_momentum_restitution_and_friction};
     solution.values = values_of(problem, found, check_impact(problem, found.at, found.normal, pose), mechanism);
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     if (found.kinematic_restitution != found.restitution)
-        solution.remarks.emplace_back(
-            "Friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one "
-            "given, that of the normal velocities (Newton) comes out otherwise.",
-            "L’attrito rende diversi i due coefficienti di restituzione: il rapporto degli impulsi (Poisson) è quello "
-            "dato, quello delle velocità normali (Newton) risulta diverso.");
+        solution.remarks.emplace_back(lang::impact::friction_makes_the_two_coefficients);
     solution.of = std::move(found);
     return solution;
 }

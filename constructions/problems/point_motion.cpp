@@ -9,6 +9,7 @@
 #include "engine/file/algebra.hpp"
 #include "engine/file/expression_gap.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/point_motion.hpp"
 
 namespace kinegraph {
 namespace {
@@ -129,40 +130,27 @@ private:
 /// Faults of laws and paths that are not finite somewhere.
 struct MotionFaults {
     static Error path_ends(const GraphPath& graph, double time) {
-        return {
-            ErrorCode::bad_input,
-            graph.f.where,
-            {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
-             "shorten the interval, or begin elsewhere (\"start\")",
-             "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
-             "accorciare l’intervallo, o partire altrove (\"start\")",
-             number_text(time)}};
+        return {ErrorCode::bad_input, graph.f.where, {lang::point_motion::this_path_as_far, number_text(time)}};
     }
     /// `order`: of the derivative.
     static Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) {
-        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()),
-                                                 Words("the velocity of ", "la velocità di "),
-                                                 Words("the acceleration of ", "l’accelerazione di ")};
-        const Words how = is_infinite ? Words("is infinite", "è infinita")
-                                      : Words("is not real, or is infinite,", "non è reale, o è infinita,");
-        return Error{
-            ErrorCode::bad_input,
-            law.where,
-            {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
-             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la "
-             "legge",
-             orders.at(order), Words(law.symbol), how, number_text(time)}};
+        static const std::array<Words, 3> orders{Words(lang::point_motion::as_it_is, std::string()),
+                                                 Words(lang::point_motion::the_velocity),
+                                                 Words(lang::point_motion::the_acceleration)};
+        const Words how = is_infinite ? Words(lang::point_motion::is_infinite)
+                                      : Words(lang::point_motion::is_not_real_or_is_infinite);
+        return Error{ErrorCode::bad_input,
+                     law.where,
+                     {lang::point_motion::at_t_s_choose_an_interval, orders.at(order), Words(law.symbol), how,
+                      number_text(time)}};
     }
 
 private:
-    /// With the comma in Italian.
     static Words number_text(double value) {
         std::string text = std::to_string(value);
         while (text.ends_with('0')) text.pop_back();
         if (text.ends_with('.')) text.pop_back();
-        std::string with_comma = text;
-        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-        return {text, with_comma};
+        return decimal_words(text);
     }
 };
 
@@ -358,10 +346,7 @@ private:
                                                     std::isinf(values_of(i, time).at(order).value), time);
         if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr)
             return MotionFaults::path_ends(*graph, time);
-        return Error{ErrorCode::bad_input,
-                     where,
-                     {"these numbers are too large to be computed with; check the units",
-                      "questi numeri sono troppo grandi per calcolare; controllare le unità"}};
+        return Error{ErrorCode::bad_input, where, {lang::point_motion::these_numbers_are_too_large}};
     }
 
     // ----- over the interval
@@ -508,37 +493,33 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
     const auto both = [](const Vector& v) { return VectorOf<double>{v.x.to_double(), v.y.to_double()}; };
     const VectorOf<double> place = both(found.place), v = both(found.velocity), a = both(found.acceleration);
     add(std::string("x"), "x", length, place.x, check.place.x);
-    values.back().spoken = {"abscissa", "ascissa"};
+    values.back().spoken = {lang::point_motion::abscissa};
     add(std::string("y"), "y", length, place.y, check.place.y);
-    values.back().spoken = {"ordinate", "ordinata"};
-    add({"way", "ascissa curvilinea"}, "s", length, found.way, check.way);
-    add({"velocity x", "velocità x"}, "v_x", velocity, v.x, check.velocity.x);
-    add({"velocity y", "velocità y"}, "v_y", velocity, v.y, check.velocity.y);
-    add({"speed", "velocità (modulo)"}, "v", velocity, found.speed, check.speed);
-    add({"acceleration x", "accelerazione x"}, "a_x", acceleration, a.x, check.acceleration.x);
-    add({"acceleration y", "accelerazione y"}, "a_y", acceleration, a.y, check.acceleration.y);
-    add({"acceleration", "accelerazione (modulo)"}, "a", acceleration, found.acceleration_length,
-        check.acceleration_length);
+    values.back().spoken = {lang::point_motion::ordinate};
+    add({lang::point_motion::way}, "s", length, found.way, check.way);
+    add({lang::point_motion::velocity_x}, "v_x", velocity, v.x, check.velocity.x);
+    add({lang::point_motion::velocity_y}, "v_y", velocity, v.y, check.velocity.y);
+    add({lang::point_motion::speed}, "v", velocity, found.speed, check.speed);
+    add({lang::point_motion::acceleration_x}, "a_x", acceleration, a.x, check.acceleration.x);
+    add({lang::point_motion::acceleration_y}, "a_y", acceleration, a.y, check.acceleration.y);
+    add({lang::point_motion::acceleration}, "a", acceleration, found.acceleration_length, check.acceleration_length);
     if (!found.rests) {
-        add({"tangential acceleration", "accelerazione tangenziale"}, "a_t", acceleration, found.along, check.along);
-        add({"normal acceleration", "accelerazione normale"}, "a_n", acceleration, found.across, check.across);
+        add({lang::point_motion::tangential_acceleration}, "a_t", acceleration, found.along, check.along);
+        add({lang::point_motion::normal_acceleration}, "a_n", acceleration, found.across, check.across);
     }
     if (found.centre) {
-        add({"radius of curvature", "raggio di curvatura"}, "ρ", length, found.radius, check.radius);
-        add({"centre of curvature x", "centro di curvatura x"}, "x_C", length, found.centre->x.to_double(),
-            check.centre.x);
-        add({"centre of curvature y", "centro di curvatura y"}, "y_C", length, found.centre->y.to_double(),
-            check.centre.y);
+        add({lang::point_motion::radius_of_curvature}, "ρ", length, found.radius, check.radius);
+        add({lang::point_motion::centre_of_curvature_x}, "x_C", length, found.centre->x.to_double(), check.centre.x);
+        add({lang::point_motion::centre_of_curvature_y}, "y_C", length, found.centre->y.to_double(), check.centre.y);
     }
-    add({"radius", "raggio vettore"}, "r", length, found.r, check.r);
+    add({lang::point_motion::radius}, "r", length, found.r, check.r);
     if (found.at_pole) return values;
-    add({"angle", "anomalia"}, "θ", angle, found.theta, check.theta);
-    add({"radial velocity", "velocità radiale"}, "v_r", velocity, found.polar_velocity[0], check.polar_velocity[0]);
-    add({"transverse velocity", "velocità trasversale"}, "v_θ", velocity, found.polar_velocity[1],
-        check.polar_velocity[1]);
-    add({"radial acceleration", "accelerazione radiale"}, "a_r", acceleration, found.polar_acceleration[0],
+    add({lang::point_motion::angle}, "θ", angle, found.theta, check.theta);
+    add({lang::point_motion::radial_velocity}, "v_r", velocity, found.polar_velocity[0], check.polar_velocity[0]);
+    add({lang::point_motion::transverse_velocity}, "v_θ", velocity, found.polar_velocity[1], check.polar_velocity[1]);
+    add({lang::point_motion::radial_acceleration}, "a_r", acceleration, found.polar_acceleration[0],
         check.polar_acceleration[0]);
-    add({"transverse acceleration", "accelerazione trasversale"}, "a_θ", acceleration, found.polar_acceleration[1],
+    add({lang::point_motion::transverse_acceleration}, "a_θ", acceleration, found.polar_acceleration[1],
         check.polar_acceleration[1]);
     (void)problem;
     return values;
@@ -547,29 +528,12 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
 std::vector<Words> remarks_on(const PointProblem& problem, const PointMotionSolution& found) {
     std::vector<Words> remarks;
     if (found.rests)
-        remarks.emplace_back(
-            "The point is at rest at this instant (v = 0): tangent, normal and radius of curvature are not defined, so "
-            "the acceleration "
-            "has no tangential and normal components.",
-            "In questo istante il punto è fermo (v = 0): tangente, normale e raggio di curvatura non sono definiti, "
-            "quindi l’accelerazione "
-            "non ha componenti tangenziale e normale.");
+        remarks.emplace_back(lang::point_motion::the_point_is_at_rest);
     else if (found.straight)
-        remarks.emplace_back(
-            "The normal acceleration vanishes: the radius of curvature is infinite, the centre of curvature lies at "
-            "infinity "
-            "on the normal.",
-            "L’accelerazione normale è nulla: il raggio di curvatura è infinito, il centro di curvatura è all’infinito "
-            "sulla "
-            "normale.");
-    if (found.at_pole)
-        remarks.emplace_back(
-            "The point passes the origin: its polar angle and its radial and transverse components are not defined "
-            "there.",
-            "Il punto passa per l’origine: lì l’anomalia e le componenti radiale e trasversale non sono definite.");
+        remarks.emplace_back(lang::point_motion::the_normal_acceleration_vanishes_the_radius);
+    if (found.at_pole) remarks.emplace_back(lang::point_motion::the_point_passes_the_origin);
     if (problem.form == Form::polar && found.r < 0)
-        remarks.emplace_back("r is negative: the point lies on the radius drawn backwards.",
-                             "r è negativo: il punto sta sul prolungamento del raggio vettore.");
+        remarks.emplace_back(lang::point_motion::r_is_negative_the_point_lies);
     return remarks;
 }
 
@@ -582,8 +546,7 @@ Result<ProblemSolution> solve_point_motion(const PointProblem& problem, const Me
     motion.construct(mechanism, pose);
     PointMotionSolution found = std::move(motion).solution();
     ProblemSolution solution;
-    solution.subject = {"Motion of a point: velocity, acceleration, curvature",
-                        "Moto di un punto: velocità, accelerazione, curvatura"};
+    solution.subject = {lang::point_motion::motion_of_a_point_velocity_acceleration};
     solution.values = values_of(problem, found, check_point_motion(problem));
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     solution.remarks = remarks_on(problem, found);

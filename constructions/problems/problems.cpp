@@ -4,6 +4,7 @@
 
 #include "constructions/problems/methods.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/problems.hpp"
 
 namespace kinegraph {
 
@@ -20,12 +21,7 @@ Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& m
 std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, const std::string& where) {
     for (const ProblemValue& each : values)
         if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
-            return Errors{
-                {ErrorCode::bad_input,
-                 where,
-                 {"these numbers are too far apart: {0} comes out as no number; check the units",
-                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità",
-                  each.name}}};
+            return Errors{{ErrorCode::bad_input, where, {lang::problems::these_numbers_are_too_far_apart, each.name}}};
     return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 
 #include "constructions/problems/problems.hpp"
 #include "engine/check/check_problems.hpp"
+#include "lang/keys/reye.hpp"
 
 namespace kinegraph {
 namespace {
@@ -137,15 +138,12 @@ private:
 /// Names of the two ends of the contact, as in each kind's data.
 std::array<Words, 2> ends_of(Kind kind) {
     switch (kind) {
-        case Kind::disc:
-            return {Words("at the inner radius", "al raggio interno"),
-                    Words("at the outer radius", "al raggio esterno")};
-        case Kind::shoe:
-            return {Words("at the first end", "al primo estremo"), Words("at the second end", "al secondo estremo")};
+        case Kind::disc: return {Words(lang::reye::at_the_inner_radius), Words(lang::reye::at_the_outer_radius)};
+        case Kind::shoe: return {Words(lang::reye::at_the_first_end), Words(lang::reye::at_the_second_end)};
         case Kind::pad:
         case Kind::block: break;
     }
-    return {Words("at the end where x = 0", "all’estremo x = 0"), Words("at the other end", "all’altro estremo")};
+    return {Words(lang::reye::at_the_end_where_x_0), Words(lang::reye::at_the_other_end)};
 }
 
 /// With their keys in the results file; the names for readers are complete, since a question sheet has no other text.
@@ -157,52 +155,46 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
         values.push_back({std::move(name), symbol, kind, value, numeric, in_file, "", std::move(spoken)});
     };
     const std::array<Words, 2> ends = ends_of(problem.kind);
-    const auto at_end = [&](std::size_t end, const char* english, const char* italian) {
-        return Words(english, italian, ends.at(end));
-    };
-    add({"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first,
-        at_end(0, "pressure {0}", "pressione {0}"), false);
-    add({"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second,
-        at_end(1, "pressure {0}", "pressione {0}"), false);
+    const auto at_end = [&](std::size_t end, Key key) { return Words(key, ends.at(end)); };
+    add({lang::reye::pressure_1}, "p_1", pressure, found.first, check.first, at_end(0, lang::reye::pressure), false);
+    add(lang::reye::pressure_2, "p_2", pressure, found.second, check.second, at_end(1, lang::reye::pressure), false);
     if (problem.kind == Kind::shoe)
-        add({"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest, {});
+        add({lang::reye::greatest_pressure}, "p_max", pressure, found.greatest, check.greatest, {});
     if (problem.kind == Kind::pad && found.m)
         add(Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1,
-            {"relative gain in pressure from end to end", "aumento relativo di pressione fra gli estremi"});
+            {lang::reye::relative_gain_in_pressure_from_end});
     if (found.resultant)
-        add({"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant,
-            {"place x of the resultant of the pressures", "ascissa x della risultante delle pressioni"});
+        add({lang::reye::resultant_at}, "x_R", length, found.resultant->to_double(), check.resultant,
+            {lang::reye::place_x_of_the_resultant});
     if (found.lifts) {
-        add({"contact from", "contatto da"}, "x_1", length, found.begin, check.begin, {});
-        add({"contact to", "contatto fino a"}, "x_2", length, found.end, check.end, {});
+        add({lang::reye::contact_from}, "x_1", length, found.begin, check.begin, {});
+        add({lang::reye::contact_to}, "x_2", length, found.end, check.end, {});
     }
-    if (found.friction_force)
-        add({"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction, {});
+    if (found.friction_force) add({lang::reye::friction_force}, "T", force, *found.friction_force, check.friction, {});
     if (found.torque)
-        add({"torque", "momento"}, "M", moment, *found.torque, check.torque,
-            problem.kind == Kind::disc ? Words("torque when worn in (Reye)", "momento a rodaggio avvenuto (Reye)")
-                                       : Words("torque on the drum", "momento sul tamburo"));
+        add({lang::reye::torque}, "M", moment, *found.torque, check.torque,
+            problem.kind == Kind::disc ? Words(lang::reye::torque_when_worn_in_reye)
+                                       : Words(lang::reye::torque_on_the_drum));
     if (found.uniform_torque) {
-        add({"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure,
-            check.uniform_pressure, {"pressure when new, uniform", "pressione da nuovo, uniforme"});
-        add({"torque at uniform pressure", "momento a pressione uniforme"}, "M_u", moment, *found.uniform_torque,
-            check.uniform_torque, {"torque when new, at uniform pressure", "momento da nuovo, a pressione uniforme"});
+        add({lang::reye::uniform_pressure}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure,
+            {lang::reye::pressure_when_new_uniform});
+        add({lang::reye::torque_at_uniform_pressure}, "M_u", moment, *found.uniform_torque, check.uniform_torque,
+            {lang::reye::torque_when_new_at_uniform_pressure});
     }
     if (problem.kind == Kind::shoe) {
-        add({"normal force", "forza normale"}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y),
-            check.normal, {"resultant of the pressures", "risultante delle pressioni"});
-        add({"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius,
-            {"distance of the centre of pressure from O", "distanza del centro di pressione da O"});
+        add({lang::reye::normal_force}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y),
+            check.normal, {lang::reye::resultant_of_the_pressures});
+        add({lang::reye::centre_of_pressure}, "r_C", length, found.pressure_radius, check.pressure_radius,
+            {lang::reye::distance_of_the_centre_of_pressure});
         if (problem.leading && found.locking_friction)
-            add({"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction,
-                check.locking,
-                {"friction from which the shoe locks itself", "attrito da cui il ceppo si blocca da sé"});
+            add({lang::reye::locking_friction}, "f_lim", dimensionless, *found.locking_friction, check.locking,
+                {lang::reye::friction_from_which_the_shoe_locks});
     }
     if (found.worn) {
-        add({"worn 1", "usura 1"}, "h_1", length, (*found.worn)[0], check.worn[0],
-            at_end(0, "depth worn off {0}", "profondità d’usura {0}"), false);
-        add({"worn 2", "usura 2"}, "h_2", length, (*found.worn)[1], check.worn[1],
-            at_end(1, "depth worn off {0}", "profondità d’usura {0}"), false);
+        add({lang::reye::worn_1}, "h_1", length, (*found.worn)[0], check.worn[0], at_end(0, lang::reye::depth_worn_off),
+            false);
+        add({lang::reye::worn_2}, "h_2", length, (*found.worn)[1], check.worn[1], at_end(1, lang::reye::depth_worn_off),
+            false);
     }
     return values;
 }
@@ -216,22 +208,12 @@ Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
     if (locks)
         return tl::unexpected(Errors{{ErrorCode::no_unique_answer,
                                       problem.where,
-                                      {"this shoe locks itself: from a friction of {0} on it needs no force; lower "
-                                       "\"friction\", or move the pivot",
-                                       "questo ceppo si blocca da sé: da un attrito di {0} in su non serve forza; "
-                                       "ridurre \"friction\", o spostare la cerniera",
-                                       std::to_string(*found.locking_friction)}}});
+                                      {lang::reye::this_shoe_locks_itself, std::to_string(*found.locking_friction)}}});
     ProblemSolution solution;
-    solution.subject = {"Wear by Reye’s hypothesis: pressures and torque",
-                        "Usura secondo l’ipotesi di Reye: pressioni e momento"};
+    solution.subject = {lang::reye::wear_by_reye_hypothesis_pressures};
     solution.values = values_of(problem, found, check_reye(problem));
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
-    if (found.lifts)
-        solution.remarks.emplace_back(
-            "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a "
-            "triangle of pressure.",
-            "La forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha "
-            "pressione triangolare.");
+    if (found.lifts) solution.remarks.emplace_back(lang::reye::the_force_lies_outside_the_middle);
     solution.of = std::move(found);
     return solution;
 }

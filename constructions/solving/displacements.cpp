@@ -7,6 +7,8 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
+#include "lang/keys/positions.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -68,11 +70,9 @@ public:
 
     Displacements find() {
         if (mechanism_.motion) {
-            found_.why_not = {"the file gives the act of motion of one body, and no joints",
-                              "il file dà l’atto di moto di un solo corpo, senza coppie"};
+            found_.why_not = {lang::positions::the_file_gives_the_act};
         } else if (solution_.mobility.effective == 0) {
-            found_.why_not = {"nothing can move: it has no virtual displacement",
-                              "nulla può muoversi: non c’è spostamento virtuale"};
+            found_.why_not = {lang::positions::nothing_can_move_it_has_no};
         } else if (choose_coordinates()) {
             add_inertia();
             for (std::size_t i = 0; i < drivers_.size() && found_.why_not.empty(); ++i) displace(i);
@@ -97,8 +97,7 @@ private:
                 if (moves_more(candidate)) drivers_.push_back(candidate);
             }
         if (drivers_.size() == wanted) return true;
-        found_.why_not = {"no coordinates were found that move it wholly",
-                          "non si trovano coordinate che lo muovano del tutto"};
+        found_.why_not = {lang::positions::no_coordinates_were_found_that_move};
         return false;
     }
     bool moves_more(const Driver& candidate) const {
@@ -122,9 +121,7 @@ private:
             const auto& alpha = solution_.bodies[at_index(mass.body)].alpha;
             if (motion == solution_.points.end() || !motion->acceleration || !alpha) {
                 found_.why_not =
-                    Words("the acceleration of body {0} is not known, so its force of inertia is not",
-                          "l’accelerazione del corpo {0} non è nota, e quindi nemmeno la sua forza d’inerzia",
-                          mechanism_.body(mass.body).name);
+                    Words(lang::positions::the_acceleration_of_body_is_not, mechanism_.body(mass.body).name);
                 return;
             }
             const std::string name = mechanism_.masses.size() == 1 ? "i" : "i" + mechanism_.body(mass.body).name;
@@ -153,7 +150,7 @@ private:
         displaced.find.stated = displaced.find.velocity = true;
         auto moved = solve_displaced(std::move(displaced), solution_.pose, finer_);
         if (!moved || !moved->virtual_work) {
-            found_.why_not = {"the motion was not found", "il moto non è stato trovato"};
+            found_.why_not = {lang::positions::the_motion_was_not_found};
             return;
         }
         Displacements::Freedom freedom;
@@ -240,9 +237,9 @@ void add_displacements(Solution& solution, const FinerPose& finer) {
     const auto found = std::make_shared<const Displacements>(Displacer(solution, finer).find());
     for (const Displacements::Freedom& freedom : found->freedoms)
         for (const Message& remark : freedom.moved->remarks) {
-            const Sentence said = remark.sentence;
-            if (said == Sentence::check_differs || said == Sentence::check_stands_still ||
-                said == Sentence::check_moves)
+            const Key said = remark.sentence;
+            if (said == lang::sentences::check_differs || said == lang::sentences::check_stands_still ||
+                said == lang::sentences::check_moves)
                 solution.remarks.push_back(remark);
         }
     hold_against_check(solution, *found);

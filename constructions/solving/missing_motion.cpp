@@ -7,6 +7,7 @@
 
 #include "constructions/kinematics/degeneracy.hpp"
 #include "engine/board/board.hpp"
+#include "lang/keys/phrases.hpp"
 
 namespace kinegraph {
 namespace {
@@ -28,9 +29,9 @@ public:
         const Message what = std::visit(
             [&](const auto& given) -> Message {
                 if constexpr (requires { given.joint; }) {
-                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at_index(given.joint)])}};
+                    return {lang::phrases::drive_of_joint, {file_name(mechanism_.joints[at_index(given.joint)])}};
                 } else {
-                    return {Sentence::drive_of_body, {named_body(mechanism_, given.body)}};
+                    return {lang::phrases::drive_of_body, {named_body(mechanism_, given.body)}};
                 }
             },
             mechanism_.drivers[at_index(driver)]);
@@ -84,10 +85,10 @@ private:
                (!accelerations_ || same(motion_.acceleration, board_.driver_acceleration(driver)));
     }
 
-    Sentence idle_reason() const {
-        if (solution_.mobility.effective == 0) return Sentence::locked;
-        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable
-                                                                        : Sentence::driven_otherwise;
+    Key idle_reason() const {
+        if (solution_.mobility.effective == 0) return lang::phrases::locked;
+        return solution_.mobility.driven < solution_.mobility.effective ? lang::phrases::undrivable
+                                                                        : lang::phrases::driven_otherwise;
     }
 
     Solution& solution_;
@@ -113,14 +114,14 @@ public:
     void explain_missing_motion() {
         for (const Contradiction& contradiction : motion_.contradictions) {
             const auto label = [&](NodeIndex node) { return PointName{structure_.node(node).label}; };
-            unsolved({Sentence::velocity_of_body, {named(contradiction.body)}},
-                     {Sentence::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
+            unsolved({lang::phrases::velocity_of_body, {named(contradiction.body)}},
+                     {lang::phrases::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
         }
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             if (!reached(body)) {
-                unsolved({Sentence::motion_of_body, {named(body)}}, reason_for(body));
+                unsolved({lang::phrases::motion_of_body, {named(body)}}, reason_for(body));
             } else if (accelerations_ && !wholly_accelerated(body)) {
-                unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
+                unsolved({lang::phrases::acceleration_of_body, {named(body)}}, missing_acceleration());
             }
         }
     }
@@ -129,7 +130,8 @@ public:
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             const bool found = std::any_of(solution_.curvature.begin(), solution_.curvature.end(),
                                            [&](const Curvature& each) { return each.body == body; });
-            if (!found && reached(body)) unsolved({Sentence::curvature_of_body, {named(body)}}, missing_acceleration());
+            if (!found && reached(body))
+                unsolved({lang::phrases::curvature_of_body, {named(body)}}, missing_acceleration());
         }
     }
 
@@ -157,21 +159,21 @@ private:
             const Joint& joint = mechanism_.joint(index);
             if (!joint.pair().asks_curvatures() || structure_.has_curvatures(index)) continue;
             const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
-            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {file_name(joint)}};
+            return {given ? lang::phrases::curvatures_coincide : lang::phrases::curvatures_wanted, {file_name(joint)}};
         }
-        return {Sentence::hangs_on_undetermined, {}};
+        return {lang::phrases::hangs_on_undetermined, {}};
     }
 
     Message reason_for(BodyIndex body) const {
         const Mobility& mobility = solution_.mobility;
-        if (mechanism_.drivers.empty()) return {Sentence::nothing_drives, {Count{mobility.effective}}};
+        if (mechanism_.drivers.empty()) return {lang::phrases::nothing_drives, {Count{mobility.effective}}};
         if (at_index(body) < mobility.determined.size() && !mobility.determined[at_index(body)]) {
-            if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
+            if (!mobility.idle_drivers.empty()) return {lang::phrases::stays_free, {}};
             for (const DeadPoint& dead : plan_.dead_points) {
                 if (carries(dead.node, body))
-                    return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
+                    return {lang::phrases::dead_point_at, {PointName{structure_.node(dead.node).label}}};
             }
-            Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
+            Message lacks{lang::phrases::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
             // If there is a likely mistake, more drivers are not the remedy; the remarks give it.
             if (const int more = mobility.effective - mobility.driven; mistakes_.empty()) {
                 lacks.arguments.emplace_back(Count{more});
@@ -179,7 +181,7 @@ private:
             }
             return lacks;
         }
-        return {mobility.idle_drivers.empty() ? Sentence::beyond_groups : Sentence::stands_still, {}};
+        return {mobility.idle_drivers.empty() ? lang::phrases::beyond_groups : lang::phrases::stands_still, {}};
     }
 
     bool carries(NodeIndex node, BodyIndex body) const {

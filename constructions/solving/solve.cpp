@@ -25,6 +25,8 @@
 #include "engine/number/assert.hpp"
 #include "engine/solution/found_elements.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -140,7 +142,7 @@ private:
     }
 
     RelativeRest rest_here() {
-        if (solution_.mobility.effective == 0) solution_.remarks.push_back({Sentence::nothing_moves, {}});
+        if (solution_.mobility.effective == 0) solution_.remarks.push_back({lang::sentences::nothing_moves, {}});
         return relative_rest(mechanism_, solution_.pose, solution_.mobility, [this] { return finer_pose(); });
     }
 
@@ -187,12 +189,13 @@ private:
             const std::string &point = mechanism_.point(query.point).name, &body = body_name(query.observer);
             const auto& said = solution_.protocol.statements;
             const bool through = std::any_of(said.begin(), said.end(), [&](const Statement& each) {
-                return each.message.sentence == Sentence::observer_velocity &&
+                return each.message.sentence == lang::sentences::observer_velocity &&
                        std::get<PointName>(each.message.arguments[0]).name == point &&
                        std::get<BodyName>(each.message.arguments[1]).name == body;
             });
             if (!through)
-                solution_.remarks.push_back({Sentence::not_through_observer, {PointName{point}, BodyName{body}}});
+                solution_.remarks.push_back(
+                    {lang::sentences::not_through_observer, {PointName{point}, BodyName{body}}});
         }
     }
 
@@ -209,7 +212,7 @@ private:
         auto& said = solution_.protocol.statements[at_index(differing.statement)].message.arguments;
         said.insert(said.end(), {first, second});
         for (Unsolved& missing : solution_.unsolved) {
-            if (missing.why.sentence != Sentence::unequal_projections) continue;
+            if (missing.why.sentence != lang::phrases::unequal_projections) continue;
             auto& arguments = missing.why.arguments;  // segment, first point, second point
             arguments.insert(arguments.begin() + 2, first);
             arguments.emplace_back(second);
@@ -231,7 +234,8 @@ private:
         const BodyIndex moved = mechanism_.motion->body;
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             if (body != moved)
-                unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
+                unsolved({lang::phrases::motion_of_body, {named(body)}},
+                         {lang::phrases::one_body_only, {named(moved)}});
         }
         if (!wanted_.centres) return;
         for (const BodyIndex first : indices_of(mechanism_.bodies)) {
@@ -269,8 +273,9 @@ private:
     void lead_with_likely_mistakes() {
         const bool wanting =
             std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
-                const Sentence why = missing.why.sentence;
-                return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
+                const Key why = missing.why.sentence;
+                return why == lang::phrases::lacks_drivers || why == lang::phrases::nothing_drives ||
+                       why == lang::phrases::unbalanced;
             });
         if (wanting)
             solution_.remarks.insert(solution_.remarks.begin(), likely_mistakes_.begin(), likely_mistakes_.end());
@@ -350,8 +355,8 @@ private:
         for (const InstantCentre& centre : solution_.centres) {
             if (centre.at || centre.everywhere) continue;
             const bool determined = solution_.mobility.effective <= solution_.mobility.driven;
-            unsolved({Sentence::centre_of_bodies, {named(centre.first), named(centre.second)}},
-                     {determined ? Sentence::one_line_unknown : Sentence::one_line_undetermined, {}});
+            unsolved({lang::phrases::centre_of_bodies, {named(centre.first), named(centre.second)}},
+                     {determined ? lang::phrases::one_line_unknown : lang::phrases::one_line_undetermined, {}});
         }
     }
 

@@ -11,6 +11,7 @@
 #include "constructions/statics/free_bodies.hpp"
 #include "constructions/statics/truss.hpp"
 #include "constructions/statics/unsupported_bodies.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace statics {
@@ -65,7 +66,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     const Board::Mark before = board.mark();
     Statement opening;
     opening.section = Topic::forces;
-    opening.message = {Sentence::truss_whole,
+    opening.message = {lang::sentences::truss_whole,
                        {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
     Runs runs(model, board, mechanism, {}, Determinacy::determinate);
@@ -80,7 +81,8 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
         results.truss->whole = whole_of(model, runs.meets(), whole);
         for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
         if (!drawing.has_plan())
-            results.remarks.push_back({Sentence::truss_without_plan, {Count{static_cast<int>(truss.bars.size())}}});
+            results.remarks.push_back(
+                {lang::sentences::truss_without_plan, {Count{static_cast<int>(truss.bars.size())}}});
         return results;
     }
     board.rewind(before);
@@ -91,7 +93,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     TrussDrawing bars(model, board, mechanism, truss, run);
     bars.read_off(run);
     results.truss = bars.finish();
-    results.remarks.push_back({Sentence::truss_without_order, {Count{static_cast<int>(truss.bars.size())}}});
+    results.remarks.push_back({lang::sentences::truss_without_order, {Count{static_cast<int>(truss.bars.size())}}});
     return results;
 }
 

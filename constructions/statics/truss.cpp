@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "constructions/statics/truss/idle_bars.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -38,7 +39,7 @@ bool TrussDrawing::resolve() {
     return true;
 }
 
-void TrussDrawing::open_plan() { opening_ = known_.say(Sentence::truss_plan, {std::string()}, "Bow"); }
+void TrussDrawing::open_plan() { opening_ = known_.say(lang::sentences::truss_plan, {std::string()}, "Bow"); }
 
 // --- results
 

@@ -11,6 +11,7 @@
 #include "engine/check/check.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/solution/magnitudes.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -255,7 +256,7 @@ public:
     std::vector<Message> told() const {
         std::vector<Message> messages;
         for (const auto& [kind, gap] : worst_) {
-            Message message{Sentence::check_differs,
+            Message message{lang::sentences::check_differs,
                             {gap.name, Amount{gap.graphical, gap.unit}, Amount{gap.difference, gap.unit}}};
             if (gap.others > 0) message.arguments.emplace_back(Count{gap.others});
             messages.push_back(std::move(message));
@@ -317,9 +318,9 @@ std::vector<Message> disagreements(const Solution& solution, const std::vector<C
         const BodyName name{solution.mechanism.bodies[b].name};
         // A construction may find the rotation of a body whose motion is not determined.
         if (determined[b] && moves(solution, body) && !bodies[b].determined)
-            messages.push_back({Sentence::check_stands_still, {name}});
+            messages.push_back({lang::sentences::check_stands_still, {name}});
         if (bodies[b].determined && bodies[b].moves && !determined[b])
-            messages.push_back({Sentence::check_moves, {name}});
+            messages.push_back({lang::sentences::check_moves, {name}});
     }
     return messages;
 }

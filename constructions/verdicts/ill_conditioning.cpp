@@ -10,6 +10,7 @@
 #include "engine/board/replay.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/number/geometry.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -114,7 +115,7 @@ private:
             for (NamedDirection* each : {&*one, &*other})
                 if (each->is_turned && !turn(each->reason)) return;
         if (!is_new(one->reason, other->reason)) return;
-        messages_.push_back({Sentence::nearly_parallel,
+        messages_.push_back({lang::sentences::nearly_parallel,
                              {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
     /// Most are; doubles decide with a wide margin for rounding.
@@ -150,7 +151,7 @@ private:
         const double off = distance(pose_.at(p), line);
         if (!lines_said_.insert({p, from}).second) return;
         messages_.push_back(
-            {Sentence::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});
+            {lang::sentences::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});
     }
 
     void look_at_points(ElementIndex first, ElementIndex second) {
@@ -159,7 +160,7 @@ private:
         const double apart = distance(pose_.at(p), pose_.at(q));
         if (!(apart < nearly * pose_.size.to_double()) || !said_.insert({first, second}).second) return;
         messages_.push_back(
-            {Sentence::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
+            {lang::sentences::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
     }
 
     /// For direction_in().
@@ -254,7 +255,7 @@ private:
         const Unit& unit = mechanism.units.length;
         constexpr int percent = 100;
         return {
-            Sentence::is_ill_conditioned,
+            lang::sentences::is_ill_conditioned,
             {Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(worst.body)].name, ""},
              Amount{percent * worst.share * move / solution_.pose.size.to_double(), "%"},
              PointName{mechanism.points[at_index(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
@@ -271,7 +272,8 @@ private:
 std::vector<Message> remarks_on_ill_conditioning(const Solution& solution) {
     std::vector<Message> remarks;
     for (const JointIndex joint : nearly_redundant_joints(solution.mechanism, solution.pose, solution.mobility))
-        remarks.push_back({Sentence::nearly_repeated, {PointName{solution.mechanism.joints[at_index(joint)].name}}});
+        remarks.push_back(
+            {lang::sentences::nearly_repeated, {PointName{solution.mechanism.joints[at_index(joint)].name}}});
     for (Message& remark : NearMisses(solution).told()) remarks.push_back(std::move(remark));
     if (auto remark = Sensitivity(solution).worst()) remarks.push_back(*std::move(remark));
     return remarks;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/file/units.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -88,7 +89,7 @@ private:
     void miss_pin(BodyIndex first, PointIndex at, BodyIndex second, PointIndex other) {
         if (!unjoined_.insert({first, second}).second) return;
         named_.insert({first, second});
-        found_.push_back({Sentence::unjoined_pin,
+        found_.push_back({lang::sentences::unjoined_pin,
                           {body(first), body(second), point(at), point(other == at ? PointIndex() : other),
                            hinge(at, first, second)}});
     }
@@ -98,10 +99,10 @@ private:
             const auto& joints = joints_of_[at_index(index)];
             if (named_.contains(index) || joints.size() > 1) continue;
             if (joints.empty())
-                found_.push_back({Sentence::body_without_joint, {body(index), hinge_with_frame(index)}});
+                found_.push_back({lang::sentences::body_without_joint, {body(index), hinge_with_frame(index)}});
             else if (joints.front()->pair().freedoms() > 0 && !is_driven_or_held(index))
-                found_.push_back(
-                    {Sentence::body_of_one_joint, {body(index), file_name(*joints.front()), hinge_with_frame(index)}});
+                found_.push_back({lang::sentences::body_of_one_joint,
+                                  {body(index), file_name(*joints.front()), hinge_with_frame(index)}});
             else
                 continue;
             named_.insert(index);
@@ -123,7 +124,7 @@ private:
                 names.push_back(mechanism_.body(each).name);
                 if (hinge.empty()) hinge = hinge_with_frame(each);
             }
-            found_.push_back({Sentence::off_the_frame, {names, body(frame), hinge}});
+            found_.push_back({lang::sentences::off_the_frame, {names, body(frame), hinge}});
         }
     }
 
@@ -185,13 +186,13 @@ std::vector<Message> unequal_counts(const Mechanism& mechanism, const Mobility& 
     const int drivers = static_cast<int>(mechanism.drivers.size());
     const int efforts = static_cast<int>(mechanism.efforts.size());
     if (drivers > mobility.effective)
-        found.push_back({Sentence::drivers_without_freedom, {freedoms, Count{drivers}}});
+        found.push_back({lang::sentences::drivers_without_freedom, {freedoms, Count{drivers}}});
     else if (drivers > 0 && mobility.driven < mobility.effective && mobility.idle_drivers.empty())
-        found.push_back({Sentence::freedoms_without_driver, {freedoms, Count{mobility.driven}}});
+        found.push_back({lang::sentences::freedoms_without_driver, {freedoms, Count{mobility.driven}}});
     if (efforts > 0 && efforts < mobility.effective)
-        found.push_back({Sentence::freedoms_without_effort, {freedoms, Count{efforts}}});
+        found.push_back({lang::sentences::freedoms_without_effort, {freedoms, Count{efforts}}});
     else if (efforts > mobility.effective)
-        found.push_back({Sentence::efforts_without_freedom, {freedoms, Count{efforts}}});
+        found.push_back({lang::sentences::efforts_without_freedom, {freedoms, Count{efforts}}});
     return found;
 }
 

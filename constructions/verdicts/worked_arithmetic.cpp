@@ -6,6 +6,7 @@
 
 #include "constructions/verdicts/worked_arithmetic/of_forces.hpp"
 #include "constructions/verdicts/worked_arithmetic/of_motion.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -42,13 +43,13 @@ private:
     /// Removes ω² if nothing turns, and α if the rotation is uniform.
     void leave_out_what_vanishes(Message& message) const {
         auto& arguments = message.arguments;
-        if (message.sentence == Sentence::crank_acceleration && !turns(arguments[5])) arguments.pop_back();
-        if (message.sentence != Sentence::image_acceleration) return;
+        if (message.sentence == lang::sentences::crank_acceleration && !turns(arguments[5])) arguments.pop_back();
+        if (message.sentence != lang::sentences::image_acceleration) return;
         const bool omega = turns(arguments[4]), alpha = turns(arguments[5]);
         if (!omega && !alpha)
-            message = {Sentence::translating_acceleration, {arguments[1], arguments[0], arguments[2]}};
+            message = {lang::sentences::translating_acceleration, {arguments[1], arguments[0], arguments[2]}};
         else if (!omega)
-            message = {Sentence::image_acceleration_without_omega,
+            message = {lang::sentences::image_acceleration_without_omega,
                        {arguments[0], arguments[1], arguments[2], arguments[3], arguments[5]}};
         else if (!alpha)
             arguments.pop_back();
@@ -57,11 +58,12 @@ private:
     /// A polygon of three forces is called a triangle.
     void name_polygons() {
         for (Statement& statement : protocol_.statements) {
-            Sentence& sentence = statement.message.sentence;
-            if (sentence != Sentence::triangle && sentence != Sentence::triangle_at) continue;
+            Key& sentence = statement.message.sentence;
+            if (sentence != lang::sentences::triangle && sentence != lang::sentences::triangle_at) continue;
             const auto index = StatementIndex(static_cast<int>(&statement - protocol_.statements.data()));
             if (forces_on(statement.bodies, bodies_at(index)) > 3)
-                sentence = sentence == Sentence::triangle ? Sentence::polygon : Sentence::polygon_at;
+                sentence =
+                    sentence == lang::sentences::triangle ? lang::sentences::polygon : lang::sentences::polygon_at;
         }
     }
     /// The bodies for a sentence: under all loads, or under those that it is about.
@@ -88,8 +90,8 @@ private:
     // --- final result of a statement
 
     void found(StatementIndex statement) {
-        const Sentence sentence = telling_.message(statement).sentence;
-        if (sentence == Sentence::inertia_force || sentence == Sentence::inertia_couple)
+        const Key sentence = telling_.message(statement).sentence;
+        if (sentence == lang::sentences::inertia_force || sentence == lang::sentences::inertia_couple)
             return forces_.inertia(statement);
         for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds) {
             if (quantity.kind == Quantity::Kind::omega)

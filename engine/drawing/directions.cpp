@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "engine/number/geometry.hpp"
+#include "lang/keys/drawing.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::drafting {
 
@@ -76,7 +78,7 @@ std::optional<Vector> Directions::direction(const Bearing& bearing, const std::s
         draft_.pose.exact = false;
     }
     if (!result.is_zero()) return result;
-    draft_.fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
+    draft_.fail(where, {lang::drawing::the_vector_0_0_gives_no});
     return std::nullopt;
 }
 
@@ -96,9 +98,7 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
     }
     if (!tangent && centres.empty()) {
         if (!joint.tangent) {
-            draft_.fail(joint.where, {"nothing says how the bodies touch at {0}; give \"profiles\" or \"tangent\"",
-                                      "nulla dice come i corpi si toccano in {0}; assegnare \"profiles\" o \"tangent\"",
-                                      draft_.name_of(joint.point)});
+            draft_.fail(joint.where, {lang::drawing::nothing_says_how_the_bodies_touch, draft_.name_of(joint.point)});
             return;
         }
         tangent = direction(*joint.tangent, joint.where + "/tangent");
@@ -159,17 +159,13 @@ bool Directions::fits_radius(const Joint& joint, BodyIndex body, PointIndex cent
     const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
     if (is_refused(misfit)) {
         return draft_.fail(joint.where,
-                           {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off; if body {3} "
-                            "touches there with another circle, give that under the joint’s \"profiles\"",
-                            "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}; se il "
-                            "corpo {3} tocca lì con un’altra circonferenza, assegnarla nei \"profiles\" della coppia",
-                            draft_.name_of(joint.point), draft_.in_file_units(length(arm)), draft_.name_of(centre),
-                            mechanism_.body(body).name, draft_.in_file_units(circle->radius.to_double()),
-                            draft_.in_file_units(misfit)});
+                           {lang::drawing::lies_from_but_the_circle, draft_.name_of(joint.point),
+                            draft_.in_file_units(length(arm)), draft_.name_of(centre), mechanism_.body(body).name,
+                            draft_.in_file_units(circle->radius.to_double()), draft_.in_file_units(misfit)});
     }
     if (!is_noise(misfit)) {
         draft_.pose.remarks.push_back(
-            {Sentence::off_its_circle,
+            {lang::sentences::off_its_circle,
              {PointName{draft_.name_of(joint.point)}, draft_.amount(misfit), BodyName{mechanism_.body(body).name}}});
     }
     return true;
@@ -181,7 +177,7 @@ bool Directions::move(const Joint& joint, const Vector& place, const std::vector
     if (shift.is_zero()) return true;
     const double misfit = length(shift);
     const std::string& name = draft_.name_of(joint.point);
-    const auto remark = [&](Sentence sentence) {
+    const auto remark = [&](Key sentence) {
         Message message{sentence, {PointName{name}, draft_.amount(misfit)}};
         for (const PointIndex centre : centres) message.arguments.emplace_back(PointName{draft_.name_of(centre)});
         draft_.pose.remarks.push_back(std::move(message));
@@ -189,21 +185,20 @@ bool Directions::move(const Joint& joint, const Vector& place, const std::vector
     if (is_refused(misfit)) {
         const Words onto =
             centres.size() == 1
-                ? Words("the foot of {0} on the line", "dal piede di {0} sulla retta", draft_.name_of(centres[0]))
-                : Words("the line of the centres {0} and {1}", "dalla retta dei centri {0} e {1}",
-                        draft_.name_of(centres[0]), draft_.name_of(centres[1]));
+                ? Words(lang::drawing::the_foot_of_on_the_line, draft_.name_of(centres[0]))
+                : Words(lang::drawing::the_line_of_the_centres, draft_.name_of(centres[0]), draft_.name_of(centres[1]));
         return draft_.fail(joint.where,
-                           {"{0} is {1} off {2}, where the bodies touch; move {0} there or correct the profile",
-                            "{0} dista {1} {2}, dove i corpi si toccano; spostarvi {0} o correggere il profilo", name,
-                            draft_.in_file_units(misfit), onto});
+                           {lang::drawing::is_off_where_the_bodies_touch, name, draft_.in_file_units(misfit), onto});
     }
     if (claimed_twice(joint.point)) {
-        if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::off_its_foot : Sentence::off_its_centres);
+        if (!is_noise(misfit))
+            remark(centres.size() == 1 ? lang::sentences::off_its_foot : lang::sentences::off_its_centres);
         return true;
     }
     draft_.pose.points[point] = place;
     draft_.pose.steps.push_back({joint.point, PositionStep::How::moved_onto_curve, {}});
-    if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::moved_to_foot : Sentence::moved_to_centres);
+    if (!is_noise(misfit))
+        remark(centres.size() == 1 ? lang::sentences::moved_to_foot : lang::sentences::moved_to_centres);
     return true;
 }
 

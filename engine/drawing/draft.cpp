@@ -1,4 +1,6 @@
 #include "engine/drawing/draft.hpp"
+#include "lang/keys/drawing.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,10 +35,7 @@ bool is_rational(const Angle& angle) {
 }
 
 Words length_text(double metres, const Unit& unit) {
-    const std::string number = number_text(metres / unit.si.to_double());
-    std::string with_comma = number;
-    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-    return {number + " " + unit.symbol, with_comma + " " + unit.symbol};
+    return decimal_words(number_text(metres / unit.si.to_double()) + " " + unit.symbol);
 }
 
 Draft::Draft(const Mechanism& of, int bits, int size_exponent, std::size_t longest_given, Exact of_slack)
@@ -57,7 +56,7 @@ Draft::Draft(const Mechanism& of, int bits, int size_exponent, std::size_t longe
         return Count{static_cast<int>(digits_of_bit * static_cast<double>(count))};
     };
     pose.remarks.push_back(
-        {Sentence::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
+        {lang::sentences::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
 }
 
 Errors Draft::in_order_of_file() {
@@ -117,9 +116,7 @@ std::optional<Vector> Draft::direction_between(const Bearing::Between& between, 
     const Vector direction = pose.at(between.to) - pose.at(between.from);
     const bool nothing = touched(between) ? is_small(direction) : squared_length(direction) <= square(slack);
     if (!nothing) return direction;
-    fail(where, {"{0} and {1} coincide, so they give no direction; name two other points",
-                 "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti",
-                 name_of(between.from), name_of(between.to)});
+    fail(where, {lang::drawing::and_coincide_so_they_give_no, name_of(between.from), name_of(between.to)});
     return std::nullopt;
 }
 

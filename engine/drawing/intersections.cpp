@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/geometry.hpp"
+#include "lang/keys/drawing.hpp"
 
 namespace kinegraph::drafting {
 
@@ -14,13 +15,9 @@ std::optional<Candidates> Intersections::meet(const Ray& a, const Ray& b, const 
     const Exact doubt = inexact ? Exact::power_of_two(2 * (bits_in_doubt - draft_.pose.bits)) : Exact();
     if (square(slant) <= doubt * squared_length(a.along) * squared_length(b.along)) {
         const bool same = squared_distance(b.through, first) <= doubt * square(draft_.estimated_size);
-        const Words apart =
-            same ? Words("they are one and the same", "e sono la stessa")
-                 : Words("{0} apart", "a distanza {0}", draft_.in_file_units(distance(b.through, first)));
-        draft_.fail(where,
-                    {"the lines {0} and {1} do not meet: they are parallel, {2}",
-                     "le rette {0} e {1} non si incontrano: sono parallele, {2}", a.name, b.name, apart},
-                    ErrorCode::cannot_meet);
+        const Words apart = same ? Words(lang::drawing::they_are_one_and_the_same)
+                                 : Words(lang::drawing::apart, draft_.in_file_units(distance(b.through, first)));
+        draft_.fail(where, {lang::drawing::the_lines_and_do_not_meet, a.name, b.name, apart}, ErrorCode::cannot_meet);
         return std::nullopt;
     }
     const ProjectivePoint common = finite_meet(first, finite_line_through(point_at(b.through), b.along));
@@ -51,14 +48,10 @@ std::optional<Candidates> Intersections::meet(const Ray& line, const Disc& circl
     }
     if (room.sign() < 0) {
         const double distance = length(to_line);
-        draft_.fail(
-            where,
-            {"the circle about {0} and the line {1} do not meet: the line passes {2} from the centre, {3} too far",
-             "la circonferenza di centro {0} e la retta {1} non si incontrano: la retta passa a {2} dal centro, {3} di "
-             "troppo",
-             circle.name, line.name, draft_.in_file_units(distance),
-             draft_.in_file_units(distance - circle.radius.to_double())},
-            ErrorCode::cannot_meet);
+        draft_.fail(where,
+                    {lang::drawing::the_circle_about_and_the_line, circle.name, line.name,
+                     draft_.in_file_units(distance), draft_.in_file_units(distance - circle.radius.to_double())},
+                    ErrorCode::cannot_meet);
         return std::nullopt;
     }
     const int scale = magnitude_of_length(line.along) + 1;
@@ -75,11 +68,9 @@ std::optional<Candidates> Intersections::meet(const Disc& a, const Disc& b, cons
     const bool inexact = a.touched || b.touched;
     if (inexact ? draft_.is_small(across) : across.is_zero()) {
         draft_.fail(where,
-                    {"the circles about {0} and {1} do not meet in points: they have the same centre{2}",
-                     "le circonferenze di centro {0} e {1} non si incontrano in punti: hanno lo stesso centro{2}",
-                     a.name, b.name,
-                     a.radius == b.radius ? Words(" and radius", " e raggio")
-                                          : Words(", and radii {0} apart", ", e raggi che differiscono di {0}",
+                    {lang::drawing::the_circles_about_and_do_not, a.name, b.name,
+                     a.radius == b.radius ? Words(lang::drawing::and_radius)
+                                          : Words(lang::drawing::and_radii_apart,
                                                   draft_.in_file_units(abs(a.radius - b.radius).to_double()))},
                     ErrorCode::cannot_meet);
         return std::nullopt;
@@ -97,13 +88,11 @@ std::optional<Candidates> Intersections::meet(const Disc& a, const Disc& b, cons
         const double sum = (a.radius + b.radius).to_double();
         const double difference = std::abs((a.radius - b.radius).to_double());
         const bool far = distance > sum;
-        draft_.fail(
-            where,
-            {"the circles about {0} and {1} do not meet: their centres are {2} apart, {3} {4}",
-             "le circonferenze di centro {0} e {1} non si incontrano: i centri distano {2}, {3} {4}", a.name, b.name,
-             draft_.in_file_units(distance), draft_.in_file_units(far ? distance - sum : difference - distance),
-             far ? Words("too far", "di troppo") : Words("too near", "troppo poco")},
-            ErrorCode::cannot_meet);
+        draft_.fail(where,
+                    {lang::drawing::the_circles_about_and_do_not_meet, a.name, b.name, draft_.in_file_units(distance),
+                     draft_.in_file_units(far ? distance - sum : difference - distance),
+                     far ? Words(lang::drawing::too_far) : Words(lang::drawing::too_near)},
+                    ErrorCode::cannot_meet);
         return std::nullopt;
     }
     const int scale = magnitude_of_length(across) + 1;

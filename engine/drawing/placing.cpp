@@ -5,6 +5,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/number/geometry.hpp"
+#include "lang/keys/drawing.hpp"
 
 namespace kinegraph::drafting {
 
@@ -126,12 +127,12 @@ bool Placing::place(const NamedPoint& named, const Meet& placement, PositionStep
 std::optional<Stroke> Placing::stroke(const CircleCurve& circle, const std::string&) {
     if (!drawn(circle.centre)) return std::nullopt;
     const auto* point = std::get_if<PointIndex>(&circle.centre);
-    return Disc{draft_.at(circle.centre),
-                circle.radius,
-                point == nullptr ? PointIndex() : *point,
-                draft_.touched(circle.centre),
-                {"{0} (radius {1})", "{0} (raggio {1})", draft_.name_of(circle.centre),
-                 draft_.in_file_units(circle.radius.to_double())}};
+    return Disc{
+        draft_.at(circle.centre),
+        circle.radius,
+        point == nullptr ? PointIndex() : *point,
+        draft_.touched(circle.centre),
+        {lang::drawing::radius, draft_.name_of(circle.centre), draft_.in_file_units(circle.radius.to_double())}};
 }
 
 std::optional<Stroke> Placing::stroke(const LineCurve& line, const std::string& where) {
@@ -144,18 +145,17 @@ std::optional<Stroke> Placing::stroke(const LineCurve& line, const std::string& 
             {},
             true,
             draft_.touched(line.through),
-            {"through {0}", "per {0}", draft_.name_of(line.through)}};
+            {lang::drawing::through, draft_.name_of(line.through)}};
     if (line.by == LineCurve::By::angle) {
         ray.along = direction_of(line.angle, draft_.pose.bits);
         ray.rational_angle = is_rational(line.angle);
     } else if (line.by == LineCurve::By::to) {
         ray.along = draft_.pose.at(line.to) - ray.through;
         ray.touched = ray.touched || draft_.touched(line.to);
-        ray.name += Words(" and {0}", " e {0}", draft_.name_of(line.to));
+        ray.name += Words(lang::drawing::and_word, draft_.name_of(line.to));
         if (ray.touched ? draft_.is_small(ray.along) : ray.along.is_zero()) {
-            draft_.fail(where, {"{0} and {1} coincide, so they give no line; name two other points",
-                                "{0} e {1} coincidono, quindi non danno una retta; indicare altri due punti",
-                                draft_.name_of(line.through), draft_.name_of(line.to)});
+            draft_.fail(where, {lang::drawing::and_coincide_so_they_give_no_line, draft_.name_of(line.through),
+                                draft_.name_of(line.to)});
             return std::nullopt;
         }
     } else {
@@ -166,7 +166,7 @@ std::optional<Stroke> Placing::stroke(const LineCurve& line, const std::string& 
         }
         ray.along = direction_of(line.bearing, draft_.pose);
         if (ray.along.is_zero()) {
-            draft_.fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
+            draft_.fail(where, {lang::drawing::the_vector_0_0_gives_no});
             return std::nullopt;
         }
         if (line.by == LineCurve::By::perpendicular) ray.along = quarter_turn(ray.along);
@@ -185,11 +185,7 @@ std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet,
                                                      square(draft_.estimated_size)
                                        : apart.is_zero();
         if (!tie) return found.places[first < second ? 0 : 1];
-        draft_.fail(named.where, {"both intersections for {0} are equally far from \"near\"; give \"side\": \"left\" "
-                                  "or \"right\" instead, or move \"near\"",
-                                  "le due intersezioni per {0} sono ugualmente lontane da \"near\"; assegnare invece "
-                                  "\"side\": \"left\" o \"right\", o spostare \"near\"",
-                                  named.name});
+        draft_.fail(named.where, {lang::drawing::both_intersections_for_are_equally_far, named.name});
         return std::nullopt;
     }
     if (meet.side != Meet::Side::either) {
@@ -199,14 +195,10 @@ std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet,
         const bool first = meet.side == Meet::Side::left || meet.side == Meet::Side::behind;
         return found.places[first ? 0 : 1];
     }
-    draft_.fail(
-        named.where,
-        {"{0} meet twice; choose the intersection for {1} by \"near\": [x, y] or by \"side\": \"left\" or \"right\"",
-         "{0} si incontrano due volte; scegliere l’intersezione per {1} con \"near\": [x, y] o con \"side\": \"left\" "
-         "o \"right\"",
-         how == PositionStep::How::circles ? Words("the circles", "le circonferenze")
-                                           : Words("the line and the circle", "la retta e la circonferenza"),
-         named.name});
+    draft_.fail(named.where, {lang::drawing::meet_twice_choose_the_intersection,
+                              how == PositionStep::How::circles ? Words(lang::drawing::the_circles)
+                                                                : Words(lang::drawing::the_line_and_the_circle),
+                              named.name});
     return std::nullopt;
 }
 

@@ -11,6 +11,8 @@
 #include "engine/drawing/placing.hpp"
 #include "engine/mechanism/rounding.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/drawing.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -115,11 +117,10 @@ Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
         return tl::unexpected(
             Errors{{ErrorCode::bad_input,
                     "/precision",
-                    {"{0} is too coarse for a drawing of {1}; it must be at most a hundredth of it",
-                     "{0} è troppo per un disegno di {1}; dev’essere al più un centesimo di esso",
-                     length_text(pose->precision.to_double(), unit), length_text(pose->size.to_double(), unit)}}});
+                    {lang::drawing::is_too_coarse_for_a_drawing, length_text(pose->precision.to_double(), unit),
+                     length_text(pose->size.to_double(), unit)}}});
     if (inferred)
-        pose->remarks.insert(pose->remarks.begin(), {Sentence::taken_as_rounded,
+        pose->remarks.insert(pose->remarks.begin(), {lang::sentences::taken_as_rounded,
                                                      {Amount{(pose->precision / unit.si).to_double(), unit.symbol}}});
     pose->shifted = shifted_drawings_of(mechanism, *pose);
     return pose;

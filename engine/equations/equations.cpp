@@ -12,6 +12,7 @@
 #include "engine/equations/letters.hpp"
 #include "engine/equations/open_chains.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph {
 namespace vector_loops {
@@ -70,12 +71,9 @@ Equations written(const Mechanism& mechanism, const Pose& pose) {
 }  // namespace vector_loops
 
 Equations equations_of(const Mechanism& mechanism, const Pose& pose) {
-    if (stands_for_joints(mechanism))
-        return vector_loops::refused(
-            {"a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie"});
+    if (stands_for_joints(mechanism)) return vector_loops::refused({lang::positions::a_problem_in_place_of_joints});
     if (mechanism.joints.empty() || mechanism.motion)
-        return vector_loops::refused(
-            {"there are no joints, and so no loops", "non ci sono coppie, quindi nessuna maglia"});
+        return vector_loops::refused({lang::positions::there_are_no_joints});
     return vector_loops::written(mechanism, pose);
 }
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "engine/drawing/pose.hpp"
-#include "engine/file/words.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/mobility.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "engine/motion/closure.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph::vector_loops {
 
@@ -88,9 +89,7 @@ void PairsAsEdges::add_contact(const Joint& joint) {
     const auto sides = sides_of(drawn_.mechanism, drawn_.pose, joint);
     if (!sides && !joint.pair().holds_tangent && !joint.pair().meshes()) return add_tangent(joint);
     if (!sides) {
-        graph_.why_not =
-            Words("joint {0}: without the \"profiles\" of both bodies its vectors are not known",
-                  "coppia {0}: senza i \"profiles\" di entrambi i corpi i suoi vettori non sono noti", joint.name);
+        graph_.why_not = Words(lang::positions::joint_without_the_profiles_of_both, joint.name);
         return;
     }
     const auto centre = [&](std::size_t side) {
@@ -106,8 +105,7 @@ void PairsAsEdges::add_contact(const Joint& joint) {
     else
         edge.base = centre(1 - round);
     if (!straight && drawn_.is_nothing((*edge.head - *edge.base).x) && drawn_.is_nothing((*edge.head - *edge.base).y)) {
-        graph_.why_not = Words("joint {0}: the centres of curvature coincide",
-                               "coppia {0}: i centri di curvatura coincidono", joint.name);
+        graph_.why_not = Words(lang::positions::joint_the_centres_of_curvature_coincide, joint.name);
         return;
     }
     Rolling rolling{edge.joint, -1,  joint.bodies[round], joint.bodies[1 - round], (*sides)[round].reach, {},

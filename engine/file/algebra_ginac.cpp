@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/file/algebra.hpp"
+#include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -237,13 +238,10 @@ tl::expected<Expression, Error> derivative(const Expression& of, const NamedCons
         return translation.back(translation.there(of).diff(translation.variable()));
     } catch (const Unwritable& why) {
         if (std::string_view(why.what()) == "too long")
-            return underivable({"its derivatives would fill pages; write it shorter, with constants",
-                                "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
-        return underivable({"its derivative is not real; it has the root or the logarithm of what is negative",
-                            "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"});
+            return underivable({lang::expressions::its_derivatives_would_fill_pages_write});
+        return underivable({lang::expressions::its_derivative_is_not_real});
     } catch (const std::exception&) {  // GiNaC's exceptions: pole_error and others
-        return underivable({"it divides by zero, or is infinite, whatever its variable is",
-                            "divide per zero, o è infinita, qualunque sia la variabile"});
+        return underivable({lang::expressions::it_divides_by_zero});
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

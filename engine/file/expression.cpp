@@ -10,6 +10,7 @@
 
 #include "engine/file/error.hpp"
 #include "engine/file/scanner.hpp"
+#include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -154,27 +155,19 @@ public:
 
 private:
     tl::unexpected<Words> unexpected_here() const {
-        if (rest().empty())
-            return refused({"the expression ends where a number, a name or a bracket is wanted",
-                            "l’espressione finisce dove serve un numero, un nome o una parentesi"});
-        if (rest().starts_with("−") || rest().starts_with("–"))
-            return refused({"a minus is written \"-\" in an expression", "il meno in un’espressione si scrive \"-\""});
+        if (rest().empty()) return refused({lang::expressions::the_expression_ends_where_a_number});
+        if (rest().starts_with("−") || rest().starts_with("–")) return refused({lang::expressions::a_minus_is_written});
         if (rest().starts_with("·") || rest().starts_with("×") || is_letter(rest()[0]) || rest()[0] == '(' ||
             is_digit(rest()[0]))
-            return refused({"{0}: a product is written \"*\" in an expression",
-                            "{0}: il prodotto in un’espressione si scrive \"*\"", quoted(rest())});
-        return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
-                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
-                        quoted(rest())});
+            return refused({lang::expressions::a_product_is_written, quoted(rest())});
+        return refused({lang::expressions::is_not_understood_here_brackets_numbers, quoted(rest())});
     }
     bool too_deep() {
         if (++depth_ <= deepest_expression) return false;
         return true;
     }
     static tl::unexpected<Words> deeper_than_read() {
-        return refused({"an expression with more than {0} brackets within each other; write it shorter, with constants",
-                        "un’espressione con più di {0} parentesi una dentro l’altra; scriverla più corta, con costanti",
-                        std::to_string(deepest_expression)});
+        return refused({lang::expressions::an_expression_with_more_than_brackets, std::to_string(deepest_expression)});
     }
 
     ParsedExpression sum() {
@@ -213,9 +206,7 @@ private:
         factors.insert(factors.begin(), *std::move(first));
         return folded(Expression::of(Kind::product, std::move(factors)));
     }
-    static tl::unexpected<Words> by_zero() {
-        return refused({"the expression divides by zero", "l’espressione divide per zero"});
-    }
+    static tl::unexpected<Words> by_zero() { return refused({lang::expressions::the_expression_divides_by_zero}); }
     static Expression negated(Expression of) {
         if (of.kind == Kind::number) return Expression::number(-of.value);
         if (of.kind == Kind::product && of.parts[0].kind == Kind::number) {
@@ -253,8 +244,7 @@ private:
     static ParsedExpression raised(Expression base, Expression exponent) {
         if (const auto number = number_of(exponent)) {
             if (abs(*number) > Exact(static_cast<int>(highest_degree)) || number->bits() > 64)
-                return refused({"an exponent must be a fraction from −{0} to {0}",
-                                "un esponente deve essere una frazione fra −{0} e {0}",
+                return refused({lang::expressions::an_exponent_must_be_a_fraction,
                                 std::to_string(static_cast<int>(highest_degree))});
             exponent = Expression::number(*number);
             if (base.is_number(0) && number->sign() <= 0) return by_zero();
@@ -264,8 +254,7 @@ private:
     /// Evaluates constant subexpressions, as long as the numbers stay printable.
     static ParsedExpression folded(Expression of) {
         if (degree_of(of) > highest_degree)
-            return refused({"powers upon each other that come to a degree above {0}",
-                            "potenze che insieme superano il grado {0}",
+            return refused({lang::expressions::powers_upon_each_other_that_come,
                             std::to_string(static_cast<int>(highest_degree))});
         const auto is_number = [](const Expression& part) { return part.kind == Kind::number; };
         if (!std::all_of(of.parts.begin(), of.parts.end(), is_number)) return of;
@@ -286,16 +275,14 @@ private:
         return Expression::number(std::move(value));
     }
     static tl::unexpected<Words> too_long() {
-        return refused({"a number of more than {0} digits; such numbers are not computed with",
-                        "un numero di oltre {0} cifre; con tali numeri non si calcola",
-                        std::to_string(most_bits_folded * 3 / 20)});
+        return refused({lang::expressions::a_number_of_more_than_digits, std::to_string(most_bits_folded * 3 / 20)});
     }
 
     ParsedExpression operand() {
         skip();
         if (takes('(')) {
             ParsedExpression inner = sum();
-            if (inner && !takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+            if (inner && !takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
             return inner;
         }
         if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) return number();
@@ -313,17 +300,12 @@ private:
         const auto known = elementary_called(name);
         if (!known && name != "sqrt" && name != "ln") {
             if (name == variable_ || look_up_(name)) return unexpected_here();
-            return refused(
-                {"{0} is no function known here; there are sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, "
-                 "exp, log",
-                 "{0} non è una funzione nota; ci sono sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, "
-                 "log",
-                 quoted(name)});
+            return refused({lang::expressions::is_no_function_known_here_there, quoted(name)});
         }
         takes('(');
         ParsedExpression argument = sum();
         if (!argument) return argument;
-        if (!takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+        if (!takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
         if (name == "sqrt") return raised(*std::move(argument), Expression::number(Exact::ratio(1, 2)));
         return Expression::of(known.value_or(Elementary::log), *std::move(argument));
     }
@@ -439,8 +421,7 @@ public:
             case Kind::function: {
                 Found argument = of(expression.parts[0]);
                 if (!argument || argument->is_a_number()) return argument;
-                return refused({"{0} is taken of a number or an angle, and {1} is {2}",
-                                "{0} si calcola di un numero o di un angolo, e {1} è {2}", name_of(expression.function),
+                return refused({lang::expressions::is_taken_of_a_number, name_of(expression.function),
                                 spelt(expression.parts[0]), described_as(*argument)});
             }
         }
@@ -456,12 +437,8 @@ private:
             Found other = of(sum.parts[i]);
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
-            return refused(
-                {"{0} is {1} and {2} is {3}: they do not go together in a sum; where a number wants a unit, write it "
-                 "behind it",
-                 "{0} è {1} e {2} è {3}: non vanno insieme in una somma; dove un numero vuole un’unità, scriverla dopo "
-                 "di esso",
-                 spelt(sum.parts[0]), described_as(*first), spelt(sum.parts[i]), described_as(*other)});
+            return refused({lang::expressions::is_and_is_they_do_not, spelt(sum.parts[0]), described_as(*first),
+                            spelt(sum.parts[i]), described_as(*other)});
         }
         return first;
     }
@@ -470,20 +447,16 @@ private:
         if (!base) return base;
         if (!exponent) return exponent;
         if (!exponent->is_a_number())
-            return refused({"an exponent must be a bare number, and {0} is {1}",
-                            "un esponente deve essere un numero puro, e {0} è {1}", spelt(power.parts[1]),
-                            described_as(*exponent)});
+            return refused(
+                {lang::expressions::an_exponent_must_be_a_bare, spelt(power.parts[1]), described_as(*exponent)});
         if (base->is_a_number()) return base;
         if (power.parts[1].kind != Kind::number)
-            return refused({"{0} is {1}, so its exponent must be a number as it stands",
-                            "{0} è {1}, quindi il suo esponente deve essere un numero scritto", spelt(power.parts[0]),
-                            described_as(*base)});
+            return refused({lang::expressions::is_so_its_exponent_must, spelt(power.parts[0]), described_as(*base)});
         const mpq_class& to = power.parts[1].value.rational();
         const long top = to.get_num().get_si(), below = to.get_den().get_si();
         const auto times = [&](int each) { return static_cast<int>(each * top / below); };
         if (base->length * top % below != 0 || base->mass * top % below != 0 || base->time * top % below != 0)
-            return refused({"no quantity is that root: {0} is {1}", "nessuna grandezza è quella radice: {0} è {1}",
-                            spelt(power.parts[0]), described_as(*base)});
+            return refused({lang::expressions::no_quantity_is_that_root, spelt(power.parts[0]), described_as(*base)});
         return Dimension{times(base->length), times(base->mass), times(base->time), 0};
     }
 
@@ -550,24 +523,20 @@ bool depends_on_variable(const Expression& of) {
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
                                                NamedConstants& constants) {
     if (text.size() > longest_expression)
-        return refused({"an expression of more than {0} characters; shorten it",
-                        "un’espressione di oltre {0} caratteri; accorciarla", std::to_string(longest_expression)});
+        return refused({lang::expressions::an_expression_of_more_than_characters, std::to_string(longest_expression)});
     ParsedExpression tree = Reader(text, form.variable, look_up, constants).whole();
     if (!tree) return refused(std::move(tree.error()));
     if (size_of(*tree).second > longest_derivative)
-        return refused({"its derivatives would fill pages; write it shorter, with constants",
-                        "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
+        return refused({lang::expressions::its_derivatives_would_fill_pages_write});
     Expressed law;
     law.is_bare = !has_units(*tree, constants);
     const Dimensions dimensions(constants, form.variable, law.is_bare ? Dimension{} : plain_dimension(form.of));
     const auto found = dimensions.of(*tree);
     if (!found) return refused(found.error());
     if (!law.is_bare && *found != plain_dimension(form.is))
-        return refused({"{0} is {1}; {2} is wanted here{3}", "{0} è {1}; qui serve {2}{3}", quoted(text),
-                        described_as(*found), with_article(form.is),
-                        form.of == QuantityKind::time
-                            ? Words(" ({0} is a time)", " ({0} è un tempo)", form.variable)
-                            : Words(" ({0} is a length)", " ({0} è una lunghezza)", form.variable)});
+        return refused({lang::expressions::is_is_wanted_here, quoted(text), described_as(*found), with_article(form.is),
+                        form.of == QuantityKind::time ? Words(lang::expressions::is_a_time, form.variable)
+                                                      : Words(lang::expressions::is_a_length, form.variable)});
     if (law.is_bare) {
         if (form.is == QuantityKind::length) law.unit = form.length_unit;
         if (form.of == QuantityKind::length) law.variable_unit = form.length_unit;

@@ -22,8 +22,8 @@
 
 #include "engine/file/formula.hpp"
 #include "engine/file/units.hpp"
-#include "engine/file/words.hpp"
 #include "engine/number/exact.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

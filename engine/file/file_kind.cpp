@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/file/units.hpp"
+#include "lang/keys/files.hpp"
 
 namespace kinegraph {
 namespace {
@@ -42,14 +43,8 @@ std::optional<std::pair<JsonValue, Words>> fault_of_kind(JsonValue root, FileKin
     const JsonValue other = first_of(root, wants_cam ? FileKind::mechanism : FileKind::cam);
     if (!other) return std::nullopt;
     const std::string key = quoted(other.key());
-    if (wants_cam)
-        return std::pair{
-            other, Words("no cam stands in this file: {0} is of a mechanism or a problem; use \"kinegraph solve\"",
-                         "in questo file non c’è una camma: {0} è di un meccanismo o di un problema; usare "
-                         "\"kinegraph solve\"",
-                         key)};
-    return std::pair{other, Words("no mechanism stands in this file but a cam; use \"kinegraph cam\"",
-                                  "in questo file non c’è un meccanismo ma una camma; usare \"kinegraph cam\"")};
+    if (wants_cam) return std::pair{other, Words(lang::files::no_cam_stands_in_this_file, key)};
+    return std::pair{other, Words(lang::files::no_mechanism_stands_in_this_file)};
 }
 
 }  // namespace kinegraph

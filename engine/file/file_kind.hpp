@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/file/json_source.hpp"
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

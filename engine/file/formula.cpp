@@ -12,6 +12,7 @@
 #include "engine/file/error.hpp"
 #include "engine/file/scanner.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -227,17 +228,13 @@ public:
 
 private:
     tl::unexpected<Words> unexpected_here() const {
-        if (rest().empty())
-            return refused({"the formula ends where a number, a name or a bracket is wanted",
-                            "la formula finisce dove serve un numero, un nome o una parentesi"});
+        if (rest().empty()) return refused({lang::expressions::the_formula_ends_where_a_number});
         if (rest().starts_with("−") || rest().starts_with("–"))
-            return refused({"a minus is written \"-\" in a formula", "il meno in una formula si scrive \"-\""});
+            return refused({lang::expressions::a_minus_is_written_in_a});
         if (rest().starts_with("·") || rest().starts_with("×"))
-            return refused({"a product is written \"*\" in a formula", "il prodotto in una formula si scrive \"*\""});
+            return refused({lang::expressions::a_product_is_written_in_a});
         if (auto why = factor_without_sign()) return refused(*std::move(why));
-        return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
-                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
-                        quoted(rest())});
+        return refused({lang::expressions::is_not_understood_here_brackets_numbers, quoted(rest())});
     }
 
     /// The message for a unit, a name or a bracket directly after a value: how to write the product.
@@ -253,8 +250,7 @@ private:
             const std::string_view spelt = rest().substr(0, length);
             if (spelt.ends_with(' ') || unit_spelt(spelt) == nullptr || letter_at(rest(), length) > 0) continue;
             if (means_something(spelt)) break;
-            return Words("a unit stands behind a number: write … * 1 {0}",
-                         "un’unità sta dopo un numero: scrivere … * 1 {0}", std::string(spelt));
+            return Words(lang::expressions::a_unit_stands_behind_a_number, std::string(spelt));
         }
         const std::string_view word = rest().substr(0, name_length(rest()));
         if (means_something(word)) return product_wanted("…", word);
@@ -264,10 +260,7 @@ private:
 
     Evaluated sum() {
         if (++depth_ > deepest_formula)
-            return refused(
-                {"a formula with more than {0} brackets within each other; name a part of it as a parameter",
-                 "una formula con più di {0} parentesi una dentro l’altra; dare un nome a una parte come parametro",
-                 std::to_string(deepest_formula)});
+            return refused({lang::expressions::a_formula_with_more_than_brackets, std::to_string(deepest_formula)});
         Evaluated result = product();
         while (result) {
             const bool plus = takes('+');
@@ -306,8 +299,7 @@ private:
     Evaluated power() {
         Evaluated base = operand();
         if (!base || !takes('^')) return base;
-        if (++depth_ > deepest_formula)
-            return refused({"too many powers upon each other", "troppe potenze una sull’altra"});
+        if (++depth_ > deepest_formula) return refused({lang::expressions::too_many_powers_upon_each_other});
         Evaluated exponent = factor();
         --depth_;
         if (!exponent) return exponent;
@@ -317,7 +309,7 @@ private:
         skip();
         if (takes('(')) {
             Evaluated inner = sum();
-            if (inner && !takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+            if (inner && !takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
             return inner;
         }
         if (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
@@ -369,8 +361,7 @@ private:
         return !word.empty() && (word == "pi" || is_function(word) || look_up_(word).has_value());
     }
     static Words product_wanted(std::string_view first, std::string_view second) {
-        return {"a product is written with *: {0}*{1}, not {0} {1}",
-                "il prodotto si scrive con *: {0}*{1}, non {0} {1}", std::string(first), std::string(second)};
+        return {lang::expressions::a_product_is_written_with_not, std::string(first), std::string(second)};
     }
     /// "12 cm^2" is the square of 12 cm, for compatibility; "12 cm²" is an area.
     static bool means_a_power(std::string_view spelt) {
@@ -407,22 +398,20 @@ private:
     }
 
     Evaluated function(std::string_view name) {
-        if (!takes('('))
-            return refused({"{0} is a function; write {0}(…)", "{0} è una funzione; scrivere {0}(…)", name});
+        if (!takes('(')) return refused({lang::expressions::is_a_function_write, name});
         std::vector<Measured> arguments;
         do {
             Evaluated argument = sum();
             if (!argument) return argument;
             arguments.push_back(std::move(*argument));
         } while (takes(','));
-        if (!takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+        if (!takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
         const bool any_number = name == "min" || name == "max";
         const std::size_t wanted = name == "atan2" ? 2 : 1;
         if (!any_number && arguments.size() != wanted)
-            return refused({"{0} is written {1}, with {2} between the brackets",
-                            "{0} si scrive {1}, con {2} fra le parentesi", name,
+            return refused({lang::expressions::is_written_with_between_the_brackets, name,
                             std::string(name == "atan2" ? "atan2(y, x)" : std::string(name) + "(x)"),
-                            wanted == 1 ? Words("one value", "un valore") : Words("two values", "due valori")});
+                            wanted == 1 ? Words(lang::expressions::one_value) : Words(lang::expressions::two_values)});
         if (any_number) return extreme(name == "min", std::move(arguments));
         if (name == "atan2") return arc(arguments[0], arguments[1]);
         if (name == "abs") {
@@ -438,8 +427,7 @@ private:
     Evaluated settled(Measured result) const {
         if (result.error.sign() > 0) heed_error(result);
         if (!result.value.is_zero() && std::abs(order_of(result.value)) > 1000)
-            return refused({"a value of the formula lies outside 1e-300 … 1e300",
-                            "un valore della formula è fuori da 1e-300 … 1e300"});
+            return refused({lang::expressions::a_value_of_the_formula_lies});
         if (result.value.bits() > bits_before_rounding) {
             const int places = 2 * working_bits - order_of(result.value);
             result.value = rounded(result.value, places);
@@ -480,14 +468,13 @@ private:
             b = in_radians(std::move(b));
             return std::nullopt;
         }
-        return Words("{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(a), described(b));
+        return Words(lang::expressions::and_do_not_go_together, described(a), described(b));
     }
     Evaluated added(Measured a, Measured b, bool plus) const {
         if (auto why = match(a, b)) {
-            Words message(plus ? "{0} in a sum" : "{0} in a difference",
-                          plus ? "{0} in una somma" : "{0} in una differenza", *why);
+            Words message(plus ? lang::expressions::in_a_sum : lang::expressions::in_a_difference, *why);
             const bool lacks_unit = a.is_bare != b.is_bare;
-            if (lacks_unit) message += Words("; the bare number wants a unit", "; il numero puro vuole un’unità");
+            if (lacks_unit) message += Words(lang::expressions::the_bare_number_wants_a_unit);
             return refused(std::move(message));
         }
         a.value = plus ? a.value + b.value : a.value - b.value;
@@ -504,7 +491,7 @@ private:
         return within_reason(std::move(a));
     }
     Evaluated divided(Measured a, const Measured& b) const {
-        if (b.value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
+        if (b.value.is_zero()) return refused({lang::expressions::the_formula_divides_by_zero});
         auto [value, error] = quotient({a.value, a.error}, {b.value, b.error});
         a.value = std::move(value);
         a.error = std::move(error);
@@ -518,26 +505,22 @@ private:
         const Dimension& d = result.dimension;
         for (const int exponent : {d.length, d.mass, d.time, d.angle})
             if (std::abs(exponent) > highest)
-                return refused(
-                    {"a power of a unit beyond {0}", "una potenza di un’unità oltre {0}", std::to_string(highest)});
+                return refused({lang::expressions::a_power_of_a_unit_beyond, std::to_string(highest)});
         return settled(std::move(result));
     }
     Evaluated raised(const Measured& base, const Measured& exponent) const {
         constexpr int highest = 1000, finest = 60;
         if (!exponent.dimension.is_a_number())
-            return refused({"an exponent must be a bare number, not {0}",
-                            "un esponente deve essere un numero puro, non {0}", described(exponent)});
+            return refused({lang::expressions::an_exponent_must_be_a_bare_number, described(exponent)});
         const Exact number = handed_on(exponent);
         const mpq_class& power = number.rational();
         if (abs(number) > Exact(highest) || power.get_den() > finest)
-            return refused({"an exponent must be a fraction up to {0} with a denominator up to {1}",
-                            "un esponente deve essere una frazione fino a {0} con denominatore fino a {1}",
-                            std::to_string(highest), std::to_string(finest)});
+            return refused({lang::expressions::an_exponent_must_be_a_fraction_up, std::to_string(highest),
+                            std::to_string(finest)});
         const long whole = power.get_num().get_si();
         Evaluated result = root(base, static_cast<unsigned>(power.get_den().get_ui()));
         if (!result) return result;
-        if (whole < 0 && result->value.is_zero())
-            return refused({"the formula divides by zero", "la formula divide per zero"});
+        if (whole < 0 && result->value.is_zero()) return refused({lang::expressions::the_formula_divides_by_zero});
         const Measured one = *result;
         Measured product = bare(Exact(1));
         product.is_bare = one.is_bare;
@@ -549,13 +532,12 @@ private:
     }
     Evaluated root(Measured of, unsigned order) const {
         if (order == 1) return of;
-        if (of.value.sign() < 0)
-            return refused({"the root of a negative value is not real", "la radice di un valore negativo non è reale"});
+        if (of.value.sign() < 0) return refused({lang::expressions::the_root_of_a_negative_value});
         const int n = static_cast<int>(order);
         if (of.dimension.angle % n != 0) of = in_radians(std::move(of));
         Dimension& d = of.dimension;
         if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
-            return refused({"no quantity is the root of {0}", "nessuna grandezza è la radice di {0}", described(of)});
+            return refused({lang::expressions::no_quantity_is_the_root, described(of)});
         d = {d.length / n, d.mass / n, d.time / n, d.angle / n};
         // The relative error of a root is at most that of its radicand.
         auto [value, error] = root_of(of.value, order);
@@ -569,8 +551,7 @@ private:
         if (angle.dimension.is_a_number()) {
             scale(angle, 1 / degree());  // a bare number is in radians, as usual in mathematics
         } else if (angle.dimension != Dimension{.angle = 1}) {
-            return refused({"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name,
-                            described(angle)});
+            return refused({lang::expressions::is_taken_of_an_angle_not, name, described(angle)});
         }
         const auto [sine, cosine] = sine_and_cosine(angle.value);
         // The derivative per degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
@@ -584,8 +565,7 @@ private:
         Bounded found = bounded(name == "cos" ? cosine : sine);
         if (name == "tan") {
             const Bounded below = bounded(cosine);
-            if (below.is_zero())
-                return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
+            if (below.is_zero()) return refused({lang::expressions::tan_of_a_right_angle});
             // Where |sine| = |cosine| the tangent is ±1, exactly if the angle is exact.
             const bool is_diagonal = angle.error.is_zero() && abs(sine) == abs(cosine);
             found = is_diagonal ? Bounded{sine / cosine, {}} : quotient(found, below);
@@ -596,9 +576,8 @@ private:
         return settled(std::move(result));
     }
     Evaluated arc(Measured y, Measured x) const {
-        if (const auto why = match(y, x)) return refused({"{0} in atan2(y, x)", "{0} in atan2(y, x)", *why});
-        if (x.value.is_zero() && y.value.is_zero())
-            return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
+        if (const auto why = match(y, x)) return refused({lang::expressions::in_atan2_y_x, *why});
+        if (x.value.is_zero() && y.value.is_zero()) return refused({lang::expressions::atan2_0_0_has_no_value});
         join(y, x);
         const bool exact = x.value.is_zero() || y.value.is_zero() || abs(x.value) == abs(y.value);
         // An error δ of a vector's tip changes its direction by at most π/2 · δ/|vector|.
@@ -613,7 +592,7 @@ private:
         Measured best = std::move(of.front());
         for (std::size_t i = 1; i < of.size(); ++i) {
             if (auto why = match(best, of[i]))
-                return refused({"{0} in {1}", "{0} in {1}", *why, std::string(least ? "min" : "max")});
+                return refused({lang::expressions::kind_in_unit, *why, std::string(least ? "min" : "max")});
             const bool better = least ? of[i].value < best.value : of[i].value > best.value;
             join(best, of[i]);
             if (!better) continue;
@@ -662,14 +641,12 @@ tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, Quantity
     } else if (same_but_for_angle(value.dimension, wanted)) {
         return WrittenQuantity{handed_on(in_radians(value)) / bare_unit.si, &bare_unit};
     }
-    return refused({"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value),
-                    with_article(kind)});
+    return refused({lang::expressions::the_formula_gives_is_wanted_here, described(value), with_article(kind)});
 }
 
 tl::expected<Exact, Words> as_number(const Measured& value) {
     if (value.dimension.is_a_number()) return handed_on(value);
-    return refused({"the formula gives {0}; a bare number is wanted here",
-                    "la formula dà {0}; qui serve un numero puro", described(value)});
+    return refused({lang::expressions::the_formula_gives_a_bare_number, described(value)});
 }
 
 Words described(const Measured& value) {
@@ -677,7 +654,7 @@ Words described(const Measured& value) {
     const auto* const kind = std::find_if(all_kinds.begin(), all_kinds.end(),
                                           [&](QuantityKind each) { return dimension_of(each) == value.dimension; });
     if (kind != all_kinds.end()) return with_article(*kind);
-    return {"a quantity in {0}", "una grandezza in {0}", base_units(value.dimension)};
+    return {lang::expressions::a_quantity, base_units(value.dimension)};
 }
 
 bool is_parameter_name(std::string_view name) {

@@ -19,8 +19,8 @@
 #include <tl/expected.hpp>
 
 #include "engine/file/units.hpp"
-#include "engine/file/words.hpp"
 #include "engine/number/exact.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

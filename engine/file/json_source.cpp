@@ -10,6 +10,8 @@
 
 #include "engine/file/units.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/files.hpp"
+#include "lang/keys/json_parser.hpp"
 
 namespace kinegraph {
 namespace {
@@ -26,36 +28,8 @@ Words line_and_column(std::string_view text, std::size_t offset) {
     const std::string_view in_line = newline == std::string_view::npos ? before : before.substr(newline + 1);
     const auto column = 1 + std::count_if(in_line.begin(), in_line.end(),
                                           [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    return {"line {0}, column {1}", "riga {0}, colonna {1}", std::to_string(line), std::to_string(column)};
+    return {lang::files::line_column, std::to_string(line), std::to_string(column)};
 }
-
-/// Fragments of the parser's messages, with translations.
-constexpr std::array<Translation, 24> parser_faults{{
-    {"unexpected end of input", "fine del testo inattesa"},
-    {"end of input", "fine del testo"},
-    {"invalid string: ", "stringa non valida: "},
-    {"invalid number; ", "numero non valido; "},
-    {"invalid literal", "parola non valida"},
-    {"ill-formed UTF-8 byte", "byte che non è UTF-8"},
-    {"missing closing quote", "mancano le virgolette di chiusura"},
-    {"forbidden character after backslash", "carattere non ammesso dopo la barra"},
-    {"control character ", "il carattere di controllo "},
-    {" must be escaped to ", " si scrive "},
-    {"'\\u' must be followed by 4 hex digits", "dopo '\\u' servono 4 cifre esadecimali"},
-    {"surrogate ", "il surrogato "},
-    {" must be followed by ", " deve essere seguito da "},
-    {" must follow ", " deve seguire "},
-    {"expected digit after ", "serve una cifra dopo "},
-    {"unexpected ", "inatteso: "},
-    {"; expected ", "; atteso: "},
-    {"string literal", "una stringa"},
-    {"number literal", "un numero"},
-    {"object key", "la chiave di un oggetto"},
-    {"object separator", "il separatore di un oggetto"},
-    {"object", "un oggetto"},
-    {"array", "un array"},
-    {" or ", " o "},
-}};
 
 /// The parser's message without its number, place and the text it last read.
 Words reason(std::string_view what) {
@@ -65,7 +39,7 @@ Words reason(std::string_view what) {
     cut_before(" - ");
     what = what.substr(0, what.find("; last read"));
     const std::string english = shown(what, longest_segment);
-    return {english, translated(english, parser_faults)};
+    return library_message(english, lang::json_parser_section);
 }
 
 /// Literals beyond the range of doubles. The parser rejects them, but the reader must report a better fault. They are
@@ -161,12 +135,10 @@ public:
         overflow_ = error.id == number_overflow;
         const bool blank = text_.find_first_not_of(" \t\r\n") == std::string_view::npos;
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
-        const Words empty("the file is empty; a mechanism is a JSON object",
-                          "il file è vuoto; un meccanismo è un oggetto JSON");
-        fault_ = Error{ErrorCode::bad_input, "",
-                       blank ? empty
-                             : Words("{0}: this is not JSON: {1}", "{0}: non è JSON: {1}",
-                                     line_and_column(text_, offset), reason(error.what()))};
+        const Words empty(lang::files::the_file_is_empty_a_mechanism);
+        fault_ = Error{
+            ErrorCode::bad_input, "",
+            blank ? empty : Words(lang::files::this_is_not_json, line_and_column(text_, offset), reason(error.what()))};
         return false;
     }
 
@@ -229,9 +201,7 @@ private:
         // Shows the place only up to this depth, to stay readable.
         constexpr std::size_t readable = 3;
         fault_ = Error{ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
-                       Words("nested deeper than {0} levels; no mechanism file needs more than ten",
-                             "annidato oltre {0} livelli; a nessun file di meccanismi ne servono più di dieci",
-                             std::to_string(deepest_nesting))};
+                       Words(lang::files::nested_deeper_than_levels_no_mechanism, std::to_string(deepest_nesting))};
         return false;
     }
     bool close() {
@@ -263,19 +233,14 @@ private:
 
 Result<JsonSource> JsonSource::read(std::string_view text) {
     if (text.size() > longest_file) {
-        return tl::make_unexpected(Errors{{ErrorCode::bad_input,
-                                           "",
-                                           {"the file is larger than 1 GiB; no mechanism file is",
-                                            "il file supera 1 GiB; nessun file di meccanismi è così grande"}}});
+        return tl::make_unexpected(Errors{{ErrorCode::bad_input, "", {lang::files::the_file_is_larger_than_1}}});
     }
     // The parser treats a NUL between tokens as the end of the text; within a string it rejects it.
     const auto whole = [&](JsonTreeBuilder& builder) -> Result<JsonSource> {
         const std::size_t nul = text.find('\0');
         if (nul == std::string_view::npos) return builder.take();
-        return tl::make_unexpected(Errors{
-            {ErrorCode::bad_input,
-             "",
-             {"{0}: this is not JSON: a NUL byte", "{0}: non è JSON: un byte NUL", line_and_column(text, nul)}}});
+        return tl::make_unexpected(
+            Errors{{ErrorCode::bad_input, "", {lang::files::this_is_not_json_a_nul, line_and_column(text, nul)}}});
     };
     JsonTreeBuilder builder(text);
     if (nlohmann::json::sax_parse(text, &builder)) return whole(builder);

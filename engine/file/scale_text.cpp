@@ -1,11 +1,12 @@
 #include "engine/file/scale_text.hpp"
+#include "lang/keys/units.hpp"
 
 namespace kinegraph {
 
 Words scale_example(QuantityKind kind) {
     const std::string by_unit = "\"1 mm = 0.1 " + std::string(default_unit(kind).symbol) + "\"";
-    if (kind == QuantityKind::length) return {" such as \"1:5\" or {0}", " come \"1:5\" o {0}", by_unit};
-    return {" such as {0}", " come {0}", by_unit};
+    if (kind == QuantityKind::length) return {lang::units::such_as_1_5, by_unit};
+    return {lang::units::such_as, by_unit};
 }
 
 tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind) {
@@ -15,18 +16,15 @@ tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind) 
         return part;
     };
     const auto refuse = [&](const Words& reason) {
-        return tl::make_unexpected(Words("{0} is no scale of this figure: {1}; write one{2}",
-                                         "{0} non è una scala per questa figura: {1}; scriverne una{2}", quoted(text),
-                                         reason, scale_example(kind)));
+        return tl::make_unexpected(
+            Words(lang::units::is_no_scale_of_this_figure, quoted(text), reason, scale_example(kind)));
     };
     const Exact millimetres_in_metre(1000);
     Exact paper;
     Exact drawn;
     std::size_t at = text.find(':');
     if (at != std::string_view::npos) {
-        if (kind != QuantityKind::length)
-            return refuse({"a ratio of lengths is for drawings of the mechanism",
-                           "un rapporto di lunghezze vale per i disegni del meccanismo"});
+        if (kind != QuantityKind::length) return refuse({lang::units::a_ratio_of_lengths});
         const auto left = read_decimal(trimmed(text.substr(0, at)));
         if (!left) return refuse(left.error());
         const auto right = read_decimal(trimmed(text.substr(at + 1)));
@@ -41,26 +39,23 @@ tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind) 
             at = text.find(corresponds);
             size = corresponds.size();
         }
-        if (at == std::string_view::npos) return refuse({"it has neither \":\" nor \"=\"", "non ha né \":\" né \"=\""});
+        if (at == std::string_view::npos) return refuse({lang::units::it_has_neither_nor});
         const auto left = read_quantity(trimmed(text.substr(0, at)), QuantityKind::length);
         if (!left) return refuse(left.error());
         const auto right = read_quantity(trimmed(text.substr(at + size)), kind);
         if (!right) return refuse(right.error());
-        if (left->unit->kind != QuantityKind::length)
-            return refuse({"on the left stands a length on paper", "a sinistra sta una lunghezza sulla carta"});
+        if (left->unit->kind != QuantityKind::length) return refuse({lang::units::on_the_left_stands_a_length});
         if (right->unit->kind != kind) {
-            return refuse({"{0} is {1}, and {2} is wanted", "{0} è {1}, e serve {2}",
-                           quoted(trimmed(text.substr(at + size))), with_article(right->unit->kind),
-                           with_article(kind)});
+            return refuse({lang::units::is_and_is_wanted, quoted(trimmed(text.substr(at + size))),
+                           with_article(right->unit->kind), with_article(kind)});
         }
         paper = left->in_si();
         drawn = right->in_si();
     }
-    if (paper.sign() <= 0 || drawn.sign() <= 0)
-        return refuse({"both sides must be greater than zero", "i due membri devono essere maggiori di zero"});
+    if (paper.sign() <= 0 || drawn.sign() <= 0) return refuse({lang::units::both_sides_must_be_greater});
     Exact scale = drawn / (paper * millimetres_in_metre);
     if (!is_within_range(scale) || !is_within_range(paper) || !is_within_range(drawn))
-        return refuse({"it is outside 1e-60 … 1e60", "è fuori da 1e-60 … 1e60"});
+        return refuse({lang::units::it_is_outside_1e_60_1e60});
     return scale;
 }
 

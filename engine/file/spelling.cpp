@@ -1,18 +1,19 @@
 #include "engine/file/spelling.hpp"
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/files.hpp"
 
 namespace kinegraph {
 Words described(JsonValue value) {
     switch (value.kind()) {
         case JsonValue::Kind::null: return std::string_view("null");
         case JsonValue::Kind::boolean: return value.text();
-        case JsonValue::Kind::number: return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
+        case JsonValue::Kind::number: return {lang::files::the_number, shown(value.text(), 40)};
         case JsonValue::Kind::string: return quoted(value.text());
         case JsonValue::Kind::array:
-            if (value.size() == 0) return {"an empty array", "un array vuoto"};
-            return {"an array of {0}", "un array di {0}", std::to_string(value.size())};
-        case JsonValue::Kind::object: return {"an object", "un oggetto"};
+            if (value.size() == 0) return {lang::files::an_empty_array};
+            return {lang::files::an_array, std::to_string(value.size())};
+        case JsonValue::Kind::object: return {lang::files::an_object};
     }
     KG_ASSERT(false, "every kind of value has a description");
 }
@@ -30,7 +31,7 @@ bool is_true(JsonValue value) { return value.kind() == JsonValue::Kind::boolean 
 Words listed(std::span<const std::string_view> words) {
     Words list;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) list += i + 1 == words.size() ? Words(" and ", " e ") : Words(std::string(", "));
+        if (i > 0) list += i + 1 == words.size() ? Words(lang::files::and_word) : Words(std::string(", "));
         list += '"' + std::string(words[i]) + '"';
     }
     return list;
@@ -47,7 +48,7 @@ bool has_control_character(std::string_view text, bool also_blank) {
 }
 
 Words did_you_mean(const std::optional<std::string>& name) {
-    return name ? Words(" (did you mean {0}?)", " (forse {0}?)", quoted(*name)) : Words();
+    return name ? Words(lang::files::did_you_mean, quoted(*name)) : Words();
 }
 
 }  // namespace kinegraph

@@ -10,6 +10,7 @@
 
 #include "engine/file/scanner.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/units.hpp"
 
 namespace kinegraph {
 namespace {
@@ -273,33 +274,48 @@ private:
 
 Words name_of(QuantityKind kind) {
     switch (kind) {
-        case QuantityKind::dimensionless: return {"bare number", "numero puro"};
-        case QuantityKind::length: return {"length", "lunghezza"};
-        case QuantityKind::angle: return {"angle", "angolo"};
-        case QuantityKind::angular_velocity: return {"angular velocity", "velocità angolare"};
-        case QuantityKind::angular_acceleration: return {"angular acceleration", "accelerazione angolare"};
-        case QuantityKind::velocity: return {"velocity", "velocità"};
-        case QuantityKind::acceleration: return {"acceleration", "accelerazione"};
-        case QuantityKind::mass: return {"mass", "massa"};
-        case QuantityKind::force: return {"force", "forza"};
-        case QuantityKind::moment: return {"moment", "momento"};
-        case QuantityKind::inertia: return {"moment of inertia", "momento d’inerzia"};
-        case QuantityKind::pressure: return {"pressure", "pressione"};
-        case QuantityKind::time: return {"time", "durata"};
-        case QuantityKind::area: return {"area", "area"};
-        case QuantityKind::force_per_length: return {"force per length", "forza per unità di lunghezza"};
-        case QuantityKind::torsional_stiffness: return {"torsional stiffness", "rigidezza torsionale"};
-        case QuantityKind::wear: return {"coefficient of wear", "coefficiente d’usura"};
+        case QuantityKind::dimensionless: return {lang::units::bare_number};
+        case QuantityKind::length: return {lang::units::length};
+        case QuantityKind::angle: return {lang::units::angle};
+        case QuantityKind::angular_velocity: return {lang::units::angular_velocity};
+        case QuantityKind::angular_acceleration: return {lang::units::angular_acceleration};
+        case QuantityKind::velocity: return {lang::units::velocity};
+        case QuantityKind::acceleration: return {lang::units::acceleration};
+        case QuantityKind::mass: return {lang::units::mass};
+        case QuantityKind::force: return {lang::units::force};
+        case QuantityKind::moment: return {lang::units::moment};
+        case QuantityKind::inertia: return {lang::units::moment_of_inertia};
+        case QuantityKind::pressure: return {lang::units::pressure};
+        case QuantityKind::time: return {lang::units::time};
+        case QuantityKind::area: return {lang::units::area};
+        case QuantityKind::force_per_length: return {lang::units::force_per_length};
+        case QuantityKind::torsional_stiffness: return {lang::units::torsional_stiffness};
+        case QuantityKind::wear: return {lang::units::coefficient_of_wear};
     }
     KG_ASSERT(false, "every kind has a name");
 }
 
 Words with_article(QuantityKind kind) {
-    const Words name = name_of(kind);
-    const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle ||
-                           kind == QuantityKind::moment || kind == QuantityKind::inertia || kind == QuantityKind::wear;
-    const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
-    return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
+    switch (kind) {
+        case QuantityKind::dimensionless: return lang::units::a_bare_number;
+        case QuantityKind::length: return lang::units::a_length;
+        case QuantityKind::angle: return lang::units::an_angle;
+        case QuantityKind::angular_velocity: return lang::units::an_angular_velocity;
+        case QuantityKind::angular_acceleration: return lang::units::an_angular_acceleration;
+        case QuantityKind::velocity: return lang::units::a_velocity;
+        case QuantityKind::acceleration: return lang::units::an_acceleration;
+        case QuantityKind::mass: return lang::units::a_mass;
+        case QuantityKind::force: return lang::units::a_force;
+        case QuantityKind::moment: return lang::units::a_moment;
+        case QuantityKind::inertia: return lang::units::a_moment_of_inertia;
+        case QuantityKind::pressure: return lang::units::a_pressure;
+        case QuantityKind::time: return lang::units::a_time;
+        case QuantityKind::area: return lang::units::an_area;
+        case QuantityKind::force_per_length: return lang::units::a_force_per_length;
+        case QuantityKind::torsional_stiffness: return lang::units::a_torsional_stiffness;
+        case QuantityKind::wear: return lang::units::a_coefficient_of_wear;
+    }
+    KG_ASSERT(false, "every kind has a name");
 }
 
 std::span<const KnownUnit> known_units() {
@@ -338,27 +354,21 @@ std::string units_of(QuantityKind kind) {
 }
 
 Words unknown_unit_message(std::string_view text, QuantityKind wanted) {
-    Words message("unknown unit {0}", "unità sconosciuta {0}", quoted(text));
-    if (const KnownUnit* meant = unit_meant(text, wanted))
-        message += Words(" (did you mean \"{0}\"?)", " (forse \"{0}\"?)", meant->symbol);
+    Words message(lang::units::unknown_unit, quoted(text));
+    if (const KnownUnit* meant = unit_meant(text, wanted)) message += Words(lang::units::did_you_mean, meant->symbol);
     if (wanted != QuantityKind::dimensionless)
-        message += Words("; the units of {0} are {1}", "; le unità di {0} sono {1}", name_of(wanted), units_of(wanted));
+        message += Words(lang::units::the_units, name_of(wanted), units_of(wanted));
     return message;
 }
 
 tl::expected<Exact, Words> read_decimal(std::string_view text) {
     const std::optional<WrittenDecimal> written = DecimalScanner(text).scanned();
-    if (!written)
-        return tl::make_unexpected(Words("{0} is no decimal number", "{0} non è un numero decimale", quoted(text)));
+    if (!written) return tl::make_unexpected(Words(lang::units::is_no_decimal_number, quoted(text)));
     if (written->places > most_digits)
-        return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
-                                         "un numero di {0} cifre; se ne leggono al massimo 1000",
-                                         std::to_string(written->places)));
+        return tl::make_unexpected(Words(lang::units::a_number_of_digits_1000, std::to_string(written->places)));
     if (written->digits.empty()) return Exact();
     if (written->order > order_margin || written->order < -order_margin)
-        return tl::make_unexpected(Words(
-            "{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
-            "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero", shown(text, 40)));
+        return tl::make_unexpected(Words(lang::units::is_outside_1e_60_1e60, shown(text, 40)));
     // Normalised with the point behind the first digit, so that the exponent is small.
     std::string normal = written->negative ? "-" : "";
     normal += written->digits[0];
@@ -394,31 +404,23 @@ bool is_arithmetic(std::string_view text) {
 tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted) {
     const std::size_t length = number_length(text);
     const std::string_view number = text.substr(0, length);
-    const Words example = wanted == QuantityKind::dimensionless
-                              ? Words()
-                              : Words(", as \"2 {0}\"", ", come \"2 {0}\"", default_unit(wanted).symbol);
+    const Words example =
+        wanted == QuantityKind::dimensionless ? Words() : Words(lang::units::such_as_2, default_unit(wanted).symbol);
     if (number.find_first_of("0123456789") == std::string_view::npos) {
         const bool typographic_minus = text.starts_with("−") || text.starts_with("–");
-        return tl::make_unexpected(
-            Words("{0} is no quantity; {1}", "{0} non è una grandezza; {1}", quoted(text),
-                  typographic_minus
-                      ? Words("a minus is written \"-\"", "il meno si scrive \"-\"")
-                      : Words("write a number and its unit{0}", "scrivere un numero e la sua unità{0}", example)));
+        return tl::make_unexpected(Words(lang::units::is_no_quantity, quoted(text),
+                                         typographic_minus ? Words(lang::units::a_minus_is_written)
+                                                           : Words(lang::units::write_a_number_and_its_unit, example)));
     }
     auto value = read_decimal(number);
     if (!value) return tl::make_unexpected(value.error());
     std::string_view unit = text.substr(length);
     while (unit.starts_with(' ')) unit.remove_prefix(1);
     while (unit.ends_with(' ')) unit.remove_suffix(1);
-    if (unit.empty())
-        return tl::make_unexpected(Words("{0} has no unit; add one{1}, or write the number without quotes",
-                                         "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette",
-                                         quoted(text), example));
+    if (unit.empty()) return tl::make_unexpected(Words(lang::units::has_no_unit_add, quoted(text), example));
     const KnownUnit* known = unit_spelt(unit);
     if (known == nullptr && is_arithmetic(text))
-        return tl::make_unexpected(Words("{0} is no number; a formula begins with \"=\": \"= {1}\"",
-                                         "{0} non è un numero; una formula comincia con \"=\": \"= {1}\"", quoted(text),
-                                         shown(text, 60)));
+        return tl::make_unexpected(Words(lang::units::is_no_number_a_formula_begins, quoted(text), shown(text, 60)));
     if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
     return WrittenQuantity{std::move(*value), known};
 }

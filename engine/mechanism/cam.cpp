@@ -1,4 +1,6 @@
 #include "engine/mechanism/cam.hpp"
+#include "lang/keys/cams.hpp"
+#include "lang/keys/positions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,10 +45,7 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
             const double height = prime * prime - made.offset_ * made.offset_;
             if (height <= 0)
                 return tl::unexpected(
-                    Errors{fault("/cam/follower/offset", {"the follower's line passes the prime circle by; it must "
-                                                          "be nearer than the base circle and the roller reach",
-                                                          "la retta della punteria non incontra la circonferenza "
-                                                          "primitiva; va più vicina al centro"})});
+                    Errors{fault("/cam/follower/offset", {lang::positions::the_follower_line_passes_the_prime})});
             made.height_ = std::sqrt(height);
         }
         return made;
@@ -57,9 +56,7 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     const double of_face = (made.base_ + made.offset_) / away;
     const double cosine = is_trace(follower) ? of_arm : of_face;
     if (!(std::abs(cosine) < 1))
-        return tl::unexpected(
-            Errors{fault("/cam/follower", {"the follower does not reach the base circle from its pivot",
-                                           "la punteria non raggiunge la circonferenza di base dal suo perno"})});
+        return tl::unexpected(Errors{fault("/cam/follower", {lang::positions::the_follower_does_not_reach})});
     const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
     made.first_angle_ = is_trace(follower) ? to_pivot + std::numbers::pi - side * std::acos(cosine)
                                            : to_pivot + side * std::acos(cosine);
@@ -168,9 +165,12 @@ std::string in_quotes(const std::string& text) {
 }
 std::string title_of(const Cam& cam, double turn) {
     const std::string at = " (" + written(turn * 180 / std::numbers::pi) + "°)";
-    const std::string en = (cam.title.en.empty() ? "Disc cam" : cam.title.en) + at;
-    const std::string it = (cam.title.it.empty() ? "Camma a disco" : cam.title.it) + at;
-    return "{\"en\": " + in_quotes(en) + ", \"it\": " + in_quotes(it) + "}";
+    const Words title = cam.title.empty() ? Words(lang::cams::disc_cam) : cam.title;
+    std::string members;
+    for (const Language language : languages)
+        members +=
+            (members.empty() ? "" : ", ") + in_quotes(code_of(language)) + ": " + in_quotes(title.in(language) + at);
+    return "{" + members + "}";
 }
 
 /// Writes the file; lengths in the cam's own unit.

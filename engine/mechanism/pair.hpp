@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "lang/words.hpp"
+
 namespace kinegraph {
 
 enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
@@ -28,8 +30,12 @@ struct PlanePair {
     enum class Centre { at_point, at_infinity, on_normal, everywhere };
 
     JointKind kind;
-    std::string_view key;                     ///< key in the file, and of its texts: "revolute" …
-    std::string_view called;                  ///< in messages about the file
+    std::string_view key;  ///< key in the file: "revolute" …
+    Key called;            ///< in messages about the file
+    /// In tables and on the sheet of pairs; a weld, which leaves no freedom, has no text for it.
+    struct Texts {
+        Key name, reaction, fixed, centre, found, freedoms = {};
+    } texts;
     std::string_view form;                    ///< as the file writes it
     std::array<std::string_view, 4> members;  ///< members that a file may give besides bodies and name
     Meeting meeting;

@@ -7,24 +7,26 @@
 #include <vector>
 
 #include "engine/mechanism/pair.hpp"
+#include "lang/keys/sheet.hpp"
 
 namespace kinegraph {
 
 /// A lower pair in space: surfaces in contact (Reuleaux). Axis z; the planar pair's normal is z.
 struct SpacePair {
     std::string_view key;
+    Key name;
     int freedoms;
     std::string_view motions;    ///< freedoms left: translations t_x …, rotations r_x …
     std::string_view reactions;  ///< components it can transmit: forces F_x …, couples M_x …
     int reaction_count() const { return 6 - freedoms; }
 };
 inline constexpr std::array space_pairs{
-    SpacePair{"revolute", 1, "r_z", "F_x F_y F_z M_x M_y"},
-    SpacePair{"prismatic", 1, "t_z", "F_x F_y M_x M_y M_z"},
-    SpacePair{"helical", 1, "r_z, t_z = p r_z", "F_x F_y M_x M_y, p F_z = −M_z"},
-    SpacePair{"cylindrical", 2, "t_z r_z", "F_x F_y M_x M_y"},
-    SpacePair{"planar", 3, "t_x t_y r_z", "F_z M_x M_y"},
-    SpacePair{"spherical", 3, "r_x r_y r_z", "F_x F_y F_z"},
+    SpacePair{"revolute", lang::sheet::space_revolute, 1, "r_z", "F_x F_y F_z M_x M_y"},
+    SpacePair{"prismatic", lang::sheet::space_prismatic, 1, "t_z", "F_x F_y M_x M_y M_z"},
+    SpacePair{"helical", lang::sheet::space_helical, 1, "r_z, t_z = p r_z", "F_x F_y M_x M_y, p F_z = −M_z"},
+    SpacePair{"cylindrical", lang::sheet::space_cylindrical, 2, "t_z r_z", "F_x F_y M_x M_y"},
+    SpacePair{"planar", lang::sheet::space_planar, 3, "t_x t_y r_z", "F_z M_x M_y"},
+    SpacePair{"spherical", lang::sheet::space_spherical, 3, "r_x r_y r_z", "F_x F_y F_z"},
 };
 
 /// A hinge of n bodies is equivalent to n − 1 binary ones: each scheme is a tree on the bodies, an edge a binary hinge.

@@ -1,4 +1,5 @@
 #include "engine/motion/closure.hpp"
+#include "lang/keys/positions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,10 +131,7 @@ private:
         const auto sides = sides_of(mechanism_, pose_, joint);
         if (!sides) {
             errors_.push_back(
-                {ErrorCode::bad_input,
-                 joint.where,
-                 {"without the \"profiles\" of both bodies nothing is known of other positions than the drawn one",
-                  "senza i \"profiles\" di entrambi i corpi nulla si sa di posizioni diverse da quella disegnata"}});
+                {ErrorCode::bad_input, joint.where, {lang::positions::without_the_profiles_of_both_bodies}});
             return;
         }
         const PlanePair& pair = joint.pair();
@@ -157,10 +155,7 @@ private:
         const Vector apart = centre(0) - centre(1);
         if (apart.is_zero() || std::abs(apart.x.to_double()) + std::abs(apart.y.to_double()) < 1e-9) {
             errors_.push_back(
-                {ErrorCode::bad_input,
-                 joint.where,
-                 {"the centres of curvature coincide, so nothing is known of other positions than the drawn one",
-                  "i centri di curvatura coincidono: nulla si sa di posizioni diverse da quella disegnata"}});
+                {ErrorCode::bad_input, joint.where, {lang::positions::the_centres_of_curvature_coincide}});
             return;
         }
         if (pair.holds_normal) at_distance(joint.bodies[0], centre(0), joint.bodies[1], centre(1));
@@ -262,11 +257,7 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
             const auto name = [&](BodyIndex each) { return mechanism.body(each).name; };
             errors.push_back({ErrorCode::bad_input,
                               mechanism.point(point).where,
-                              {"body {0} and body {1} both need this point for their joints, and come apart there when "
-                               "they move; give it two names",
-                               "il corpo {0} e il corpo {1} usano entrambi questo punto per le loro coppie e lì si "
-                               "separano nel moto; dargli due nomi",
-                               name(carrier.body), name(body)}});
+                              {lang::positions::body_and_body_both_need, name(carrier.body), name(body)}});
         }
     };
     for (const Joint& joint : mechanism.joints) {

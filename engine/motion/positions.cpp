@@ -7,34 +7,22 @@
 
 #include "engine/mechanism/drivers.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/positions.hpp"
 
 namespace kinegraph {
 namespace {
 
 Error stuck(const Driver& driver) {
-    return {ErrorCode::no_unique_answer,
-            where_of(driver),
-            {"the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; "
-             "draw the "
-             "mechanism in another position",
-             "la posizione disegnata è un punto morto o un punto di biforcazione: il movente se ne muove in nessun "
-             "modo o in più "
-             "d’uno; disegnare il meccanismo in un’altra posizione"}};
+    return {ErrorCode::no_unique_answer, where_of(driver), {lang::positions::the_drawn_position_is_a_dead}};
 }
 
 Error no_branch(const Driver& driver) {
-    return {ErrorCode::bad_input,
-            where_of(driver),
-            {"no branch is to be chosen: the drawn position is no change point",
-             "non c’è ramo da scegliere: la posizione disegnata "
-             "non è un punto di biforcazione"}};
+    return {ErrorCode::bad_input, where_of(driver), {lang::positions::no_branch_is_to_be_chosen}};
 }
 Error no_such_branch(const Driver& driver, std::size_t branch) {
     return {ErrorCode::no_unique_answer,
             where_of(driver),
-            {"from the drawn position the driver has no branch {0}; the results list them under \"branches\"",
-             "dalla posizione disegnata il movente non ha un ramo {0}; i risultati li elencano in \"branches\"",
-             std::to_string(branch + 1)}};
+            {lang::positions::from_the_drawn_position_the_driver, std::to_string(branch + 1)}};
 }
 
 /// By driver: its coordinate divided by the course's, in rad and m.

@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/bodies.hpp"
 
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@ void BodiesSection::register_bodies(JsonValue stated, JsonValue bodies) {
             frame_name = stated.text();
             file_.check_name(stated, frame_name);
         } else {
-            file_.wrong(stated, {"a body's name", "il nome di un corpo"});
+            file_.wrong(stated, {lang::bodies::a_body_name});
             file_.know_bodies(false);
         }
     }
@@ -41,15 +42,13 @@ void BodiesSection::read_bodies(JsonValue bodies) {
         const BodyIndex index = file_.index_of_body(member.key());
         JsonValue points = member;
         if (member.is_object()) {
-            const Members form = file_.members(member, {"points", "label", "circle"}, {"a body", "un corpo"});
+            const Members form = file_.members(member, {"points", "label", "circle"}, {lang::bodies::a_body});
             points = form["points"];
             if (form["label"]) body_at(index).label = file_.words(form["label"]);
             if (form["circle"]) read_body_circle(form["circle"], index);
             if (!points) continue;
-            if (!file_.expect(points, Kind::array, {"an array of points", "un array di punti"})) continue;
-        } else if (!file_.expect(points, Kind::array,
-                                 {"an array of points, or {\"points\": […], …},",
-                                  "un array di punti, o {\"points\": […], …},"})) {
+            if (!file_.expect(points, Kind::array, {lang::bodies::an_array_of_points})) continue;
+        } else if (!file_.expect(points, Kind::array, {lang::bodies::an_array_of_points_or_points})) {
             continue;
         }
         for (const JsonValue name : points) carry(index, file_.point(name, true));
@@ -64,16 +63,12 @@ void BodiesSection::carry(BodyIndex on, PointIndex carried) {
 }
 
 void BodiesSection::read_body_circle(JsonValue value, BodyIndex index) {
-    if (!file_.expect(value, Kind::object, {"{\"centre\": …, \"radius\": …}", "{\"centre\": …, \"radius\": …}"}))
-        return;
-    const Members form =
-        file_.members(value, {"centre", "radius"}, {"a body's circle", "la circonferenza di un corpo"});
+    if (!file_.expect(value, Kind::object, {lang::bodies::centre_radius})) return;
+    const Members form = file_.members(value, {"centre", "radius"}, {lang::bodies::a_body_circle});
     Circle circle;
-    circle.centre =
-        file_.point(file_.required(form, "centre", {"the circle's centre", "il centro della circonferenza"}));
-    circle.radius =
-        file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
-                       QuantityKind::length, {"a radius", "un raggio"});
+    circle.centre = file_.point(file_.required(form, "centre", {lang::bodies::the_circle_centre}));
+    circle.radius = file_.positive(file_.required(form, "radius", {lang::bodies::the_circle_radius}),
+                                   QuantityKind::length, {lang::bodies::a_radius});
     body_at(index).circle = std::move(circle);
 }
 

@@ -6,6 +6,7 @@
 #include "engine/file/file_kind.hpp"
 #include "engine/mechanism/cam.hpp"
 #include "engine/reading/law_reader.hpp"
+#include "lang/keys/cams.hpp"
 
 namespace kinegraph {
 namespace {
@@ -16,12 +17,9 @@ public:
 
     Result<Cam> read() {
         for (const JsonValue& twice : source_.duplicates())
-            fault(twice,
-                  {"{0} stands twice in this object; rename one or take it out",
-                   "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
+            fault(twice, {lang::cams::stands_twice_in_this_object_rename, quoted(twice.key())});
         if (const JsonValue root = source_.root(); !root.is_object())
-            fault(root, {"a cam's file is a JSON object, not {0}", "il file di una camma è un oggetto JSON, non {0}",
-                         described(root)});
+            fault(root, {lang::cams::a_cam_file_is_a_json, described(root)});
         else
             read_file(root);
         if (faults_.empty()) return std::move(cam_);
@@ -35,32 +33,25 @@ public:
 private:
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::cam)) return fault(other->first, other->second);
-        const Members file = members(root, {"$schema", "kinegraph", "title", "units", "cam"},
-                                     {"the file of a cam", "il file di una camma"});
-        const JsonValue version = required(file, "kinegraph",
-                                           {"write \"kinegraph\": 1, the version of the format",
-                                            "scrivere \"kinegraph\": 1, la versione del formato"});
+        const Members file =
+            members(root, {"$schema", "kinegraph", "title", "units", "cam"}, {lang::cams::the_file_of_a_cam});
+        const JsonValue version = required(file, "kinegraph", {lang::cams::write_kinegraph_1_the_version});
         if (version && (!version.is_number() || version.text() != "1"))
-            fault(version, {"the version of the format is 1, not {0}", "la versione del formato è 1, non {0}",
-                            described(version)});
+            fault(version, {lang::cams::the_version_of_the_format, described(version)});
         if (file["title"]) cam_.title = words(file["title"]);
         read_units(file["units"]);
-        const JsonValue cam = required(file, "cam",
-                                       {"the cam: its law, its base radius and its follower",
-                                        "la camma: la sua legge, il raggio di base e la punteria"});
-        if (cam && expect(cam, Kind::object, {"a cam", "una camma"})) read_cam(cam);
+        const JsonValue cam = required(file, "cam", {lang::cams::the_cam_its_law_its_base});
+        if (cam && expect(cam, Kind::object, {lang::cams::a_cam})) read_cam(cam);
     }
 
     void read_units(JsonValue units) {
-        if (units &&
-            expect(units, Kind::object, {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
-            const Members set = members(units, {"length", "angle", "angular velocity"},
-                                        {"\"units\" of a cam", "\"units\" di una camma"});
+        if (units && expect(units, Kind::object, {lang::cams::an_object_of_units_by_quantity})) {
+            const Members set = members(units, {"length", "angle", "angular velocity"}, {lang::cams::units_of_a_cam});
             for (const auto& [key, kind] :
                  {std::pair("length", QuantityKind::length), std::pair("angle", QuantityKind::angle),
                   std::pair("angular velocity", QuantityKind::angular_velocity)}) {
                 const JsonValue value = set[key];
-                if (!value || !expect(value, Kind::string, {"a unit", "un’unità"})) continue;
+                if (!value || !expect(value, Kind::string, {lang::cams::a_unit})) continue;
                 const KnownUnit* unit = unit_spelt(value.text());
                 if (unit == nullptr || unit->kind != kind)
                     fault(value, unknown_unit_message(value.text(), kind));
@@ -78,29 +69,25 @@ private:
     }
 
     void read_cam(JsonValue value) {
-        const Members form = members(value, {"omega", "base radius", "follower", "law"}, {"a cam", "una camma"});
-        const JsonValue omega =
-            required(form, "omega", {"how fast the cam turns", "quanto velocemente ruota la camma"});
+        const Members form = members(value, {"omega", "base radius", "follower", "law"}, {lang::cams::a_cam});
+        const JsonValue omega = required(form, "omega", {lang::cams::how_fast_the_cam_turns});
         cam_.omega = quantity(omega, QuantityKind::angular_velocity).value_or(Exact(1));
         if (cam_.omega.is_zero()) {
-            fault(omega, {"a cam that does not turn moves nothing", "una camma che non ruota non muove nulla"});
+            fault(omega, {lang::cams::a_cam_that_does_not_turn});
             cam_.omega = 1;
         }
-        cam_.base_circle = positive(
-            required(form, "base radius", {"the radius of the base circle", "il raggio della circonferenza di base"}),
-            QuantityKind::length, std::string("\"base radius\""));
-        const JsonValue follower = required(form, "follower", {"what the cam moves", "ciò che la camma muove"});
-        if (follower && expect(follower, Kind::object, {"a follower", "una punteria"})) read_follower(follower);
-        const JsonValue law = required(
-            form, "law",
-            {"how the follower moves over a turn of the cam", "come si muove la punteria in un giro della camma"});
+        cam_.base_circle = positive(required(form, "base radius", {lang::cams::the_radius_of_the_base_circle}),
+                                    QuantityKind::length, std::string("\"base radius\""));
+        const JsonValue follower = required(form, "follower", {lang::cams::what_the_cam_moves});
+        if (follower && expect(follower, Kind::object, {lang::cams::a_follower})) read_follower(follower);
+        const JsonValue law = required(form, "law", {lang::cams::how_the_follower_moves_over});
         if (law) read_law(law);
     }
 
     /// The choice of this name; `fallback`, with a fault reported, where there is none.
     template <class Choice, std::size_t count>
     Choice choice(JsonValue value, const std::array<std::pair<std::string_view, Choice>, count>& known) {
-        if (!value || !expect(value, Kind::string, {"a word", "una parola"})) return known.front().second;
+        if (!value || !expect(value, Kind::string, {lang::cams::a_word})) return known.front().second;
         for (const auto& [word, meant] : known)
             if (value.text() == word) return meant;
         std::vector<std::string> names;
@@ -109,49 +96,37 @@ private:
             names.emplace_back(each.first);
             list += (list.empty() ? "" : ", ") + quoted(each.first);
         }
-        fault(value, {"{0} is none of {1}{2}", "{0} non è fra {1}{2}", quoted(value.text()), list,
-                      did_you_mean(speller_.nearest(value.text(), names))});
+        fault(value,
+              {lang::cams::is_none, quoted(value.text()), list, did_you_mean(speller_.nearest(value.text(), names))});
         return known.front().second;
     }
 
     void read_follower(JsonValue value) {
         using Moves = Follower::Moves;
         using Face = Follower::Face;
-        const Members form = members(value, {"moves", "face", "radius", "offset", "pivot", "arm", "side"},
-                                     {"a follower", "una punteria"});
+        const Members form =
+            members(value, {"moves", "face", "radius", "offset", "pivot", "arm", "side"}, {lang::cams::a_follower});
         Follower& follower = cam_.follower;
-        follower.moves = choice(
-            required(form, "moves", {"\"translating\" or \"oscillating\"", "\"translating\" oppure \"oscillating\""}),
-            std::array{std::pair{std::string_view("translating"), Moves::translating},
-                       std::pair{std::string_view("oscillating"), Moves::oscillating}});
-        follower.face =
-            choice(required(form, "face",
-                            {"\"roller\", \"flat\" or \"knife edge\"", "\"roller\", \"flat\" oppure \"knife edge\""}),
-                   std::array{std::pair{std::string_view("roller"), Face::roller},
-                              std::pair{std::string_view("flat"), Face::flat},
-                              std::pair{std::string_view("knife edge"), Face::knife_edge}});
+        follower.moves = choice(required(form, "moves", {lang::cams::translating_or_oscillating}),
+                                std::array{std::pair{std::string_view("translating"), Moves::translating},
+                                           std::pair{std::string_view("oscillating"), Moves::oscillating}});
+        follower.face = choice(required(form, "face", {lang::cams::roller_flat_or_knife_edge}),
+                               std::array{std::pair{std::string_view("roller"), Face::roller},
+                                          std::pair{std::string_view("flat"), Face::flat},
+                                          std::pair{std::string_view("knife edge"), Face::knife_edge}});
         const bool oscillates = follower.moves == Moves::oscillating, is_flat = follower.face == Face::flat;
-        follower.radius = wanted(form, "radius", follower.face == Face::roller, true,
-                                 {"the roller's radius", "il raggio della rotella"},
-                                 {"only a roller has a radius", "solo una rotella ha un raggio"});
-        follower.arm = wanted(form, "arm", oscillates && !is_flat, true,
-                              {"from the pivot to the roller's centre, or to the edge",
-                               "dal perno al centro della rotella, o al coltello"},
-                              {"only an oscillating roller or edge has an arm",
-                               "solo una rotella o un coltello oscillante ha un braccio"});
+        follower.radius = wanted(form, "radius", follower.face == Face::roller, true, {lang::cams::the_roller_radius},
+                                 {lang::cams::only_a_roller_has_a_radius});
+        follower.arm = wanted(form, "arm", oscillates && !is_flat, true, {lang::cams::from_the_pivot_to_the_roller},
+                              {lang::cams::only_an_oscillating_roller_or_edge});
         follower.offset =
-            wanted(form, "offset", oscillates == is_flat, false, {},
-                   {"an offset is of a translating roller or edge, or of an "
-                    "oscillating flat face",
-                    "l’eccentricità è di una rotella o di un coltello che trasla, o di un piattello oscillante"});
+            wanted(form, "offset", oscillates == is_flat, false, {}, {lang::cams::an_offset_is_of_a_translating});
         if (const JsonValue pivot = form["pivot"]; oscillates) {
-            const Words where("where the follower turns, [x, y] from the cam's centre",
-                              "dove ruota la punteria, [x, y] dal centro della camma");
+            const Words where(lang::cams::where_the_follower_turns_x_y);
             follower.pivot = vector(required(form, "pivot", where), QuantityKind::length, where).value_or(Vector{1, 0});
-            if (follower.pivot.is_zero())
-                fault(pivot, {"the pivot is the cam's own centre", "il perno è il centro stesso della camma"});
+            if (follower.pivot.is_zero()) fault(pivot, {lang::cams::the_pivot_is_the_cam_own});
         } else if (pivot) {
-            fault(pivot, {"only an oscillating follower has a pivot", "solo una punteria oscillante ha un perno"});
+            fault(pivot, {lang::cams::only_an_oscillating_follower});
         }
         if (const JsonValue side = form["side"])
             follower.on_left = choice(side, std::array{std::pair{std::string_view("left"), true},
@@ -188,18 +163,10 @@ private:
         if (std::abs(degrees - 360) > same) {
             std::array<char, 32> text{};
             std::snprintf(text.data(), text.size(), "%.9g°", degrees);
-            fault(value, {"a cam's law goes over a whole turn; its pieces make {0}",
-                          "la legge di una camma copre un giro intero; i suoi "
-                          "tratti ne fanno {0}",
-                          std::string(text.data())});
+            fault(value, {lang::cams::a_cam_law_goes_over, std::string(text.data())});
         }
-        if (!end.is_zero())
-            fault(value, {"after a whole turn the follower is where it began: the rises add up to zero",
-                          "dopo un giro intero la punteria è dov’era all’inizio: le alzate hanno somma nulla"});
-        if (sinks)
-            fault(value, {"the law begins at its lowest: no rise leads below it",
-                          "la legge inizia dal punto più basso: nessun tratto "
-                          "scende sotto di esso"});
+        if (!end.is_zero()) fault(value, {lang::cams::after_a_whole_turn_the_follower});
+        if (sinks) fault(value, {lang::cams::the_law_begins_at_its_lowest});
     }
 
     const JsonSource& source_;

@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/joints.hpp"
 
 #include <array>
 #include <string_view>
@@ -11,18 +12,15 @@ void ContactsOfJoints::read(const Members& form, const Joint& joint, JointIndex 
     const JsonValue materials = form["materials"];
     if (!materials) {
         if (form["length"] && !form.has_or_misspells("materials"))
-            file_.fault(form["length"],
-                        {"a contact has a \"length\" where it has \"materials\"; give them, or take it out",
-                         "un contatto ha \"length\" dove ha \"materials\"; assegnarli, o toglierla"});
+            file_.fault(form["length"], {lang::joints::a_contact_has_a_length});
         return;
     }
     LoadedContact contact;
     contact.joint = index;
     contact.where = materials.pointer();
     read_bodies(materials, joint, contact);
-    contact.length = file_.positive(
-        file_.required(form, "length", {"how long the line of contact is", "quanto è lunga la linea di contatto"}),
-        QuantityKind::length, {"the length", "la lunghezza"});
+    contact.length = file_.positive(file_.required(form, "length", {lang::joints::how_long_the_line_of_contact}),
+                                    QuantityKind::length, {lang::joints::the_length});
     check_profiles(materials, form, joint);
     contacts_.push_back(std::move(contact));
 }
@@ -37,17 +35,14 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         if (materials.is_string()) materials_.read_by_name(materials, contact.bodies.at(i));
         if (materials.is_string() && contact.bodies.at(i).young == Exact(1)) return;  // report it only once
     }
-    if (materials.is_string() || !file_.expect(materials, Kind::object,
-                                               {"a material, or an object of materials by body,",
-                                                "un materiale, o un oggetto con i materiali per corpo,"}))
+    if (materials.is_string() || !file_.expect(materials, Kind::object, {lang::joints::a_material_or_an_object}))
         return;
     std::array<bool, 2> given{};
     for (const JsonValue member : materials) {
         const BodyIndex on = file_.look_up_body(member, member.key());
         if (on == none) return;
         if (!joint.connects(on)) {
-            file_.fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia",
-                                 quoted(member.key())});
+            file_.fault(member, {lang::joints::the_body_is_not, quoted(member.key())});
             return;
         }
         const std::size_t i = joint.bodies[0] == on ? 0 : 1;
@@ -56,46 +51,35 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         body.where = member.pointer();
         if (member.is_string())
             materials_.read_by_name(member, body);
-        else if (file_.expect(member, Kind::object, {"a material", "un materiale"})) {
+        else if (file_.expect(member, Kind::object, {lang::joints::a_material})) {
             const Members properties =
-                file_.members(member, {"material", "young", "poisson", "depth"}, {"a material", "un materiale"});
+                file_.members(member, {"material", "young", "poisson", "depth"}, {lang::joints::a_material});
             materials_.read(properties, body);
             if (properties["depth"])
-                body.depth = file_.positive(properties["depth"], QuantityKind::length, {"the depth", "la profondità"});
+                body.depth = file_.positive(properties["depth"], QuantityKind::length, {lang::joints::the_depth});
         }
     }
     for (std::size_t i = 0; i < 2; ++i)
         if (!given.at(i) && joint.bodies[i] != none)
-            file_.fault(materials, {"the material of body {0} is missing; both bodies yield",
-                                    "manca il materiale del corpo {0}; cedono entrambi i corpi",
-                                    quoted(mechanism_.body(joint.bodies[i]).name)});
+            file_.fault(materials,
+                        {lang::joints::the_material_of_body_is_missing, quoted(mechanism_.body(joint.bodies[i]).name)});
 }
 
 /// Hertz's theory needs curvatures: two smooth profiles, or teeth of known pressure angle.
 void ContactsOfJoints::check_profiles(JsonValue materials, const Members& form, const Joint& joint) {
     if (form["tangent"]) {
-        file_.fault(form["tangent"],
-                    {"contact with \"materials\" asks for radii; give \"profiles\" in place of a tangent",
-                     "un contatto con \"materials\" richiede i raggi; dare \"profiles\" al posto della tangente"});
+        file_.fault(form["tangent"], {lang::joints::contact_with_materials_asks_for_radii});
         return;
     }
     for (const auto& [body, profile] : joint.profiles)
         if (std::holds_alternative<TipProfile>(profile)) {
-            file_.fault(
-                materials,
-                {"a tip has no radius, and its pressure no bound; round it to a circle, or take \"materials\" out",
-                 "una punta non ha raggio, e la pressione non ha limite; arrotondarla a un cerchio, o togliere "
-                 "\"materials\""});
+            file_.fault(materials, {lang::joints::a_tip_has_no_radius});
             return;
         }
     if (joint.pressure_angle && joint.pressure_angle->value.is_zero())
-        file_.fault(
-            form["pressure angle"],
-            {"teeth that press each other have a pressure angle larger than 0°, else their radii vanish",
-             "denti che si premono hanno un angolo di pressione maggiore di 0°, altrimenti i raggi si annullano"});
+        file_.fault(form["pressure angle"], {lang::joints::teeth_that_press_each_other});
     if (joint.pair().meshes() && !form.has_or_misspells("pressure angle"))
-        file_.fault(materials, {"the radii of teeth at the pitch point want a \"pressure angle\"; give it",
-                                "i raggi dei denti nel punto primitivo richiedono un \"pressure angle\"; assegnarlo"});
+        file_.fault(materials, {lang::joints::the_radii_of_teeth});
 }
 
 }  // namespace kinegraph

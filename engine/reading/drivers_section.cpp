@@ -4,18 +4,17 @@
 
 #include "engine/mechanism/drivers.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/drivers.hpp"
 
 namespace kinegraph {
 namespace {
 
-Words nothing_drives_the_frame() {
-    return {"the frame does not move; drive another body", "il telaio non si muove; comandare un altro corpo"};
-}
+Words nothing_drives_the_frame() { return {lang::drivers::the_frame_does_not_move_drive}; }
 
 }  // namespace
 
 void DriversSection::read_driver(JsonValue value) {
-    if (!file_.expect(value, Kind::object, {"a driver", "un movente"})) return;
+    if (!file_.expect(value, Kind::object, {lang::drivers::a_driver})) return;
     if (value["joint"]) return read_slide_driver(value);
     if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) return read_point_driver(value);
     read_spin_driver(value);
@@ -23,17 +22,12 @@ void DriversSection::read_driver(JsonValue value) {
 
 void DriversSection::read_slide_driver(JsonValue value) {
     const Members form = file_.members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
-                                       {"a driver of a joint", "un movente di una coppia"});
+                                       {lang::drivers::a_driver_of_a_joint});
     SlideDriver driver;
     driver.where = value.pointer();
-    driver.joint = joints_.sliding_joint(
-        form["joint"],
-        {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
-         "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
+    driver.joint = joints_.sliding_joint(form["joint"], {lang::drivers::a_driver_moves_a_prismatic_joint});
     if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
-        file_.fault(form["joint"],
-                    {"the slot of {0} is curved; drive a \"body\" instead",
-                     "il glifo di {0} è curvo; comandare invece un corpo con \"body\"", quoted(form["joint"].text())});
+        file_.fault(form["joint"], {lang::drivers::the_slot_of_is_curved_drive, quoted(form["joint"].text())});
     }
     driver.speed = file_.quantity_or_zero(form["speed"], QuantityKind::velocity);
     driver.acceleration = file_.quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
@@ -44,21 +38,19 @@ void DriversSection::read_slide_driver(JsonValue value) {
 void DriversSection::read_point_driver(JsonValue value) {
     const Members form =
         file_.members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
-                      {"a driver of a point", "un movente di un punto"});
+                      {lang::drivers::a_driver_of_a_point});
     PointDriver driver;
     driver.where = value.pointer();
     if (form.has_or_misspells("joint")) return;
     if (!form.has_or_misspells("body") && !form.has_or_misspells("at") && !form.has_or_misspells("along")) {
-        file_.fault(value, {"what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"",
-                            "manca ciò che è comandato: \"joint\", oppure \"body\", \"at\" e \"along\""});
+        file_.fault(value, {lang::drivers::what_is_driven_is_missing_joint});
         return;
     }
     if (form["body"] && !form.has_or_misspells("at") && !form.has_or_misspells("along")) return turn_instead(form);
-    driver.body = file_.moving_body(file_.required(form, "body", {"the body that is driven", "il corpo comandato"}),
+    driver.body = file_.moving_body(file_.required(form, "body", {lang::drivers::the_body_that_is_driven}),
                                     nothing_drives_the_frame());
-    driver.at = file_.point(file_.required(form, "at", {"the point that is driven", "il punto comandato"}));
-    driver.along = file_.bearing_or_default(
-        file_.required(form, "along", {"the direction in which it is driven", "la direzione in cui è comandato"}));
+    driver.at = file_.point(file_.required(form, "at", {lang::drivers::the_point_that_is_driven}));
+    driver.along = file_.bearing_or_default(file_.required(form, "along", {lang::drivers::the_direction}));
     driver.speed = file_.quantity_or_zero(form["speed"], QuantityKind::velocity);
     driver.acceleration = file_.quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
     driver.law = law(form, {"speed", "acceleration"});
@@ -69,21 +61,18 @@ void DriversSection::read_spin_driver(JsonValue value) {
     const Members form = file_.members(
         value,
         {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
-        {"a driver", "un movente"});
+        {lang::drivers::a_driver});
     for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
         if (form.has_or_misspells(key)) return;
     }
     SpinDriver driver;
     driver.where = value.pointer();
-    driver.body = file_.moving_body(
-        file_.required(form, "body",
-                       {"the body that is driven (or give \"joint\")", "il corpo comandato (o assegnare \"joint\")"}),
-        nothing_drives_the_frame());
+    driver.body = file_.moving_body(file_.required(form, "body", {lang::drivers::the_body_that_is_driven_or}),
+                                    nothing_drives_the_frame());
     if (const JsonValue base = form["relative to"]) {
         driver.relative_to = file_.body(base);
         if (driver.relative_to > frame && driver.relative_to == driver.body)
-            file_.fault(base, {"a body does not turn against itself; name another",
-                               "un corpo non ruota rispetto a se stesso; indicarne un altro"});
+            file_.fault(base, {lang::drivers::a_body_does_not_turn_against});
     }
     driver.omega = file_.quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
     driver.alpha = file_.quantity_or_zero(form["alpha"], QuantityKind::angular_acceleration);
@@ -94,27 +83,18 @@ void DriversSection::read_spin_driver(JsonValue value) {
 void DriversSection::turn_instead(const Members& form) {
     for (const auto& [key, turning] : {std::pair{"speed", "omega"}, std::pair{"acceleration", "alpha"}})
         if (form[key])
-            file_.fault(form[key], {"a body turns: give \"{1}\"; \"{0}\" is of a \"joint\" that slides, or of a point "
-                                    "of the body, \"at\" P "
-                                    "\"along\" X",
-                                    "un corpo ruota: assegnare \"{1}\"; \"{0}\" è di una coppia che scorre (\"joint\") "
-                                    "o di un punto del corpo, "
-                                    "\"at\" P \"along\" X",
-                                    std::string_view(key), std::string_view(turning)});
+            file_.fault(form[key],
+                        {lang::drivers::a_body_turns_give, std::string_view(key), std::string_view(turning)});
 }
 
 std::optional<Law> DriversSection::law(const Members& form, std::initializer_list<std::string_view> rates) {
     const JsonValue value = form["law"], drawn = form["drawn at"];
     if (!value) {
-        if (drawn)
-            file_.fault(drawn, {"\"drawn at\" is a time of the \"law\", and there is none",
-                                "\"drawn at\" è un istante di \"law\", che manca"});
+        if (drawn) file_.fault(drawn, {lang::drivers::drawn_at_is_a_time});
         return std::nullopt;
     }
     for (const std::string_view key : rates) {
-        if (form[key])
-            file_.fault(form[key], {"\"law\" gives the rates at every time; leave out {0}",
-                                    "\"law\" dà velocità e accelerazione a ogni istante; togliere {0}", quoted(key)});
+        if (form[key]) file_.fault(form[key], {lang::drivers::law_gives_the_rates_at_every, quoted(key)});
     }
     const bool turning = *rates.begin() == "omega";
     const std::size_t faults = file_.fault_count();
@@ -124,8 +104,7 @@ std::optional<Law> DriversSection::law(const Members& form, std::initializer_lis
     if (file_.fault_count() > faults) return std::nullopt;
     law.drawn = file_.quantity_or_zero(drawn, QuantityKind::time);
     if (law.drawn.sign() < 0 || law.drawn.to_double() > law.length() * (1 + 1e-12)) {
-        file_.fault(drawn, {"it is no time of the law: before its beginning, or after its end",
-                            "non è un istante della legge: precede il suo inizio, o segue la sua fine"});
+        file_.fault(drawn, {lang::drivers::it_is_no_time});
         return std::nullopt;
     }
     return law;

@@ -6,6 +6,7 @@
 #include "engine/mechanism/problem.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "engine/results/result_names.hpp"
+#include "lang/keys/exercises.hpp"
 
 namespace kinegraph {
 namespace {
@@ -86,27 +87,20 @@ const Column* ExerciseReader::result_named(std::string_view name) const {
 // ----- ask
 
 void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
-    const Words wanted("an array of names of results, such as \"omega 3\"",
-                       "un array di nomi di risultati, come \"omega 3\"");
+    const Words wanted(lang::exercises::an_array_of_names_of_results);
     if (!expect(ask, Kind::array, wanted)) return;
-    if (ask.size() == 0)
-        fault(ask, {"nothing is asked for; take \"ask\" out, or name a result",
-                    "non si chiede nulla; togliere \"ask\", o indicare un risultato"});
+    if (ask.size() == 0) fault(ask, {lang::exercises::nothing_is_asked_for_take_ask});
     for (const JsonValue value : ask) {
-        if (!expect(value, Kind::string,
-                    {"the name of a result, such as \"omega 3\"", "il nome di un risultato, come \"omega 3\""}))
-            continue;
+        if (!expect(value, Kind::string, {lang::exercises::the_name_of_a_result_such})) continue;
         const std::string_view name = value.text();
         if (std::any_of(exercise.ask.begin(), exercise.ask.end(),
                         [&](const AskedResult& each) { return each.name == name; }))
-            fault(value,
-                  {"{0} is asked for twice; take one out", "{0} è chiesto due volte; toglierne uno", quoted(name)});
+            fault(value, {lang::exercises::is_asked_for_twice_take, quoted(name)});
         if (knows_results_ && result_named(name) == nullptr) {
             std::vector<std::string_view> names{transmission_angle_name};
             for (const Column& each : results_) names.emplace_back(each.name);
-            fault(value, {"no result is named {0}{1}; names are those of the columns of \"sweep\"",
-                          "nessun risultato si chiama {0}{1}; i nomi sono quelli delle colonne di \"sweep\"",
-                          quoted(name), did_you_mean(speller_.nearest(name, names))});
+            fault(value, {lang::exercises::no_result_is_named_names, quoted(name),
+                          did_you_mean(speller_.nearest(name, names))});
         }
         exercise.ask.push_back({std::string(name), value.pointer()});
     }
@@ -115,13 +109,8 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
 // ----- vary
 
 void ExerciseReader::read_vary(JsonValue vary, Exercise& exercise) {
-    if (!expect(vary, Kind::object,
-                {"an object of parameters with the values that they take",
-                 "un oggetto con i parametri e i valori che assumono"}))
-        return;
-    if (vary.size() == 0)
-        fault(vary, {"nothing varies; take \"vary\" out, or name a parameter",
-                     "non varia nulla; togliere \"vary\", o indicare un parametro"});
+    if (!expect(vary, Kind::object, {lang::exercises::an_object_of_parameters})) return;
+    if (vary.size() == 0) fault(vary, {lang::exercises::nothing_varies_take_vary_out});
     for (const JsonValue member : vary) read_variation(member, exercise);
 }
 
@@ -130,42 +119,26 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     const Measured* own = nullptr;
     std::optional<Measured> of_the_file;
     if (found == parameters_.end()) {
-        fault(member,
-              {"no parameter is named {0}{1}; what varies stands among the \"parameters\", with a value of its own",
-               "nessun parametro si chiama {0}{1}; ciò che varia sta fra i \"parameters\", con un valore proprio",
-               quoted(member.key()), did_you_mean(speller_.nearest(member.key(), parameter_names_))});
+        fault(member, {lang::exercises::no_parameter_is_named_what_varies, quoted(member.key()),
+                       did_you_mean(speller_.nearest(member.key(), parameter_names_))});
     } else if (knows_uses_ && !is_used(member.key())) {
-        fault(member, {"nothing hangs on {0}: copies that differ in it alone would be the same; write \"= {1}\" where "
-                       "it counts, or "
-                       "take it out of \"vary\"",
-                       "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= "
-                       "{1}\" dove conta, o "
-                       "toglierlo da \"vary\"",
-                       quoted(member.key()), std::string(member.key())});
+        fault(member,
+              {lang::exercises::nothing_hangs_on_copies_that_differ, quoted(member.key()), std::string(member.key())});
     } else if (found->second.at.is_string() && is_formula(found->second.at.text())) {
-        fault(
-            member,
-            {"{0} is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value",
-             "{0} è una formula, e ciò che varia ha un valore proprio; far variare ciò da cui dipende, o darle un "
-             "valore",
-             quoted(member.key())});
+        fault(member, {lang::exercises::is_a_formula_and_what_varies, quoted(member.key())});
     } else {
         own = own_value(member.key(), found->second, of_the_file);
     }
-    const Words wanted("{\"from\": …, \"to\": …, \"step\": …} or {\"choose\": […]}",
-                       "{\"from\": …, \"to\": …, \"step\": …} o {\"choose\": […]}");
+    const Words wanted(lang::exercises::from_to_step_or_choose);
     if (!expect(member, Kind::object, wanted)) return;
-    const Members form =
-        members(member, {"from", "to", "step", "choose"}, {"what a parameter may be", "i valori di un parametro"});
+    const Members form = members(member, {"from", "to", "step", "choose"}, {lang::exercises::what_a_parameter_may});
     Variation variation;
     variation.parameter = member.key();
     variation.where = member.pointer();
     const std::size_t before = faults_.size();
     if (form["choose"]) {
         for (const std::string_view key : {"from", "to", "step"})
-            if (form[key])
-                fault(form[key], {"{0} and \"choose\" exclude each other; take one of them out",
-                                  "{0} e \"choose\" si escludono; togliere uno dei due", quoted(key)});
+            if (form[key]) fault(form[key], {lang::exercises::and_choose_exclude_each_other_take, quoted(key)});
         read_choices(form["choose"], own, variation);
     } else {
         read_steps(form, own, variation);
@@ -173,9 +146,7 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     const auto same = [&](const Variation& each) { return each.parameter == variation.parameter; };
     if (faults_.size() == before && std::none_of(exercise.vary.begin(), exercise.vary.end(), same))
         exercise.vary.push_back(std::move(variation));
-    if (!Lattice::size(exercise.vary))
-        fault(member, {"more combinations than can be counted (2^62); take a larger step",
-                       "più combinazioni di quante si possano contare (2^62); prendere un passo più grande"});
+    if (!Lattice::size(exercise.vary)) fault(member, {lang::exercises::more_combinations_than_can_be_counted});
 }
 
 const Measured* ExerciseReader::own_value(std::string_view name, const Parameter& parameter,
@@ -187,33 +158,26 @@ const Measured* ExerciseReader::own_value(std::string_view name, const Parameter
     of_the_file = *std::move(read);
     const Measured& set = parameter.value;
     if (set.is_bare != of_the_file->is_bare || !(set.dimension == of_the_file->dimension))
-        faults_.emplace_back(
-            0,
-            Error{ErrorCode::bad_input,
-                  {},
-                  {"--set {0}={1} is {2}; the file’s own value, and all that \"vary\" gives it, is {3}: set such a one",
-                   "--set {0}={1} è {2}; il valore proprio del file, e tutti quelli di \"vary\", è {3}: dare uno così",
-                   std::string(name), shown(parameter.set, 40), described(set), described(*of_the_file)}});
+        faults_.emplace_back(0, Error{ErrorCode::bad_input,
+                                      {},
+                                      {lang::exercises::set_is_the_file_own_value, std::string(name),
+                                       shown(parameter.set, 40), described(set), described(*of_the_file)}});
     return &*of_the_file;
 }
 
 std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, const Measured* own) {
-    const Words wanted("a number or a quantity", "un numero o una grandezza");
+    const Words wanted(lang::exercises::a_number_or_a_quantity);
     if (!value) return std::nullopt;
     if (!value.is_number() && !expect(value, Kind::string, wanted)) return std::nullopt;
     if (value.is_string() && is_formula(value.text())) {
-        fault(value, {"a number or a quantity is wanted here; a formula stands among the \"parameters\"",
-                      "qui serve un numero o una grandezza; una formula sta fra i \"parameters\""});
+        fault(value, {lang::exercises::a_number_or_a_quantity_is});
         return std::nullopt;
     }
     auto read = read_measured(value.text(), {});
     if (read && value.is_string() && read->is_bare)
-        read = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
-                                         "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
-                                         quoted(value.text())));
+        read = tl::make_unexpected(Words(lang::exercises::has_no_unit_add, quoted(value.text())));
     if (read && own != nullptr && (read->is_bare != own->is_bare || !(read->dimension == own->dimension)))
-        read = tl::make_unexpected(Words("{0} is {1}; the parameter’s own value is {2}",
-                                         "{0} è {1}; il valore proprio del parametro è {2}", shown(value.text(), 40),
+        read = tl::make_unexpected(Words(lang::exercises::is_the_parameter_own_value, shown(value.text(), 40),
                                          described(*read), described(*own)));
     if (read) return *std::move(read);
     fault(value, std::move(read.error()));
@@ -221,17 +185,14 @@ std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, cons
 }
 
 void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variation& variation) {
-    if (!expect(choose, Kind::array, {"an array of values", "un array di valori"})) return;
-    if (choose.size() == 0)
-        fault(choose,
-              {"there is nothing to choose from; write a value", "non c’è nulla da scegliere; scrivere un valore"});
+    if (!expect(choose, Kind::array, {lang::exercises::an_array_of_values})) return;
+    if (choose.size() == 0) fault(choose, {lang::exercises::there_is_nothing_to_choose});
     std::vector<Exact> values;
     for (const JsonValue value : choose) {
         const auto read = value_of_parameter(value, own);
         if (!read) continue;
         if (std::find(values.begin(), values.end(), read->value) != values.end())
-            fault(value, {"{0} stands twice; two copies would be the same",
-                          "{0} compare due volte; due copie sarebbero uguali", shown(value.text(), 40)});
+            fault(value, {lang::exercises::stands_twice_two_copies, shown(value.text(), 40)});
         values.push_back(read->value);
         variation.choices.emplace_back(value.text());
     }
@@ -240,31 +201,27 @@ void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variati
 
 void ExerciseReader::read_steps(const Members& form, const Measured* own, Variation& variation) {
     constexpr int most = 1'000'000;
-    const auto from = value_of_parameter(
-        required(form, "from", {"the first value (or give \"choose\")", "il primo valore (o assegnare \"choose\")"}),
-        own);
-    const auto to = value_of_parameter(required(form, "to", {"the last value", "l’ultimo valore"}), own);
-    const auto step =
-        value_of_parameter(required(form, "step", {"from one value to the next", "da un valore al successivo"}), own);
+    const auto from =
+        value_of_parameter(required(form, "from", {lang::exercises::the_first_value_or_give_choose}), own);
+    const auto to = value_of_parameter(required(form, "to", {lang::exercises::the_last_value}), own);
+    const auto step = value_of_parameter(required(form, "step", {lang::exercises::from_one_value_to_the_next}), own);
     if (!from || !to || !step) return;
     for (const auto& [key, value] : {std::pair("to", &*to), std::pair("step", &*step)})
         if (value->is_bare != from->is_bare || !(value->dimension == from->dimension)) {
-            fault(form[key], {"{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(*from),
-                              described(*value)});
+            fault(form[key], {lang::exercises::and_do_not_go_together, described(*from), described(*value)});
             return;
         }
     if (step->value.sign() <= 0) {
-        fault(form["step"], {"{0} must be greater than zero", "{0} deve essere maggiore di zero", quoted("step")});
+        fault(form["step"], {lang::exercises::must_be_greater_than_zero, quoted("step")});
         return;
     }
     if (to->value < from->value) {
-        fault(form["to"], {"\"to\" lies before \"from\"; exchange them", "\"to\" sta prima di \"from\"; scambiarli"});
+        fault(form["to"], {lang::exercises::to_lies_before_from_exchange_them});
         return;
     }
     const Exact steps = (to->value - from->value) / step->value;
     if (steps >= Exact(most)) {
-        fault(form["step"], {"more than {0} values; take a larger step",
-                             "più di {0} valori; prendere un passo più grande", std::to_string(most)});
+        fault(form["step"], {lang::exercises::more_than_values_take_a_larger, std::to_string(most)});
         return;
     }
     variation.count =
@@ -290,13 +247,10 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
 // ----- require
 
 void ExerciseReader::read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise) {
-    const Words wanted("an array of conditions, such as \"omega 3 > 0.2\"",
-                       "un array di condizioni, come \"omega 3 > 0.2\"");
+    const Words wanted(lang::exercises::an_array_of_conditions_such);
     if (!expect(require, Kind::array, wanted)) return;
     for (const JsonValue value : require) {
-        if (!expect(value, Kind::string,
-                    {"a condition, such as \"omega 3 > 0.2\"", "una condizione, come \"omega 3 > 0.2\""}))
-            continue;
+        if (!expect(value, Kind::string, {lang::exercises::a_condition_such_as_omega_3})) continue;
         if (auto read = condition(value, mechanism)) exercise.require.push_back(*std::move(read));
     }
 }
@@ -307,7 +261,7 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
         read.kind = Condition::Kind::crank_turns_fully;
         const auto* spin = mechanism.drivers.empty() ? nullptr : std::get_if<SpinDriver>(&mechanism.drivers.front());
         if (spin == nullptr && (knows_results_ || stands_for_joints(mechanism))) {
-            fault(value, {"no body is driven that could turn fully", "nessun corpo comandato può compiere un giro"});
+            fault(value, {lang::exercises::no_body_is_driven_that_could});
             return std::nullopt;
         }
         return read;
@@ -317,21 +271,15 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
         read.kind = Condition::Kind::polygon_readable;
         read.polygon = polygon;
         if (stands_for_joints(mechanism)) {
-            fault(value, {"this problem has no such polygon", "questo problema non ha un tale poligono"});
+            fault(value, {lang::exercises::this_problem_has_no_such_polygon});
             return std::nullopt;
         }
         return read;
     }
     std::vector<std::string_view> known{crank_phrase};
     for (const auto& each : polygon_phrases) known.push_back(each.first);
-    fault(
-        value,
-        {"{0} is no condition{1}; write a comparison (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns fully\" "
-         "or "
-         "\"velocity polygon readable\"",
-         "{0} non è una condizione{1}; scrivere un confronto (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns "
-         "fully\" o \"velocity polygon readable\"",
-         quoted(text), did_you_mean(speller_.nearest(text, known))});
+    fault(value, {lang::exercises::is_no_condition_write_a_comparison, quoted(text),
+                  did_you_mean(speller_.nearest(text, known))});
     return std::nullopt;
 }
 
@@ -340,9 +288,7 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     const std::string_view text = trimmed(value.text());
     for (const std::string_view foreign : foreign_signs) {
         if (text.find(foreign) == std::string_view::npos) continue;
-        fault(value,
-              {"{0} is not among the comparisons; they are >, >=, <, <=, =, and \"… between … and …\"",
-               "{0} non è fra i confronti; sono >, >=, <, <=, =, e \"… between … and …\"", std::string(foreign)});
+        fault(value, {lang::exercises::is_not_among_the_comparisons_they, std::string(foreign)});
         return std::nullopt;
     }
     const std::size_t between = text.find(between_word);
@@ -353,15 +299,13 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
         sides = {text.substr(0, sign->second), text.substr(sign->second + sign->first.spelt.size()), {}};
         read->relation = sign->first.relation;
         if (sign_in(sides[1])) {
-            fault(value, {"one comparison at a time; write \"… between … and …\", or two conditions",
-                          "un confronto per volta; scrivere \"… between … and …\", o due condizioni"});
+            fault(value, {lang::exercises::one_comparison_at_a_time_write});
             return std::nullopt;
         }
     } else if (between != std::string_view::npos) {
         const std::size_t last = text.rfind(and_word);
         if (last == std::string_view::npos || last < between + between_word.size()) {
-            fault(value, {"\"between\" wants two limits: \"… between … and …\"",
-                          "\"between\" vuole due limiti: \"… between … and …\""});
+            fault(value, {lang::exercises::between_wants_two_limits});
             return std::nullopt;
         }
         read->kind = Condition::Kind::lies_between;
@@ -394,7 +338,7 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
     Operand side;
     side.text = text;
     if (text.empty()) {
-        fault(at, {"a side of the condition is empty", "un lato della condizione è vuoto"});
+        fault(at, {lang::exercises::a_side_of_the_condition});
         return std::nullopt;
     }
     std::string_view name = text;
@@ -424,10 +368,8 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
     for (const Column& each : results_) names.emplace_back(each.name);
     for (const std::string_view parameter : parameter_names_) names.push_back(parameter);
     const Words meant = did_you_mean(speller_.nearest(name, names));
-    fault(at, meant.empty() ? Words("{0} is no result, and as a formula: {1}",
-                                    "{0} non è un risultato, e come formula: {1}", quoted(text), value.error())
-                            : Words("{0} is neither a result nor a formula of the parameters{1}",
-                                    "{0} non è né un risultato né una formula dei parametri{1}", quoted(text), meant));
+    fault(at, meant.empty() ? Words(lang::exercises::is_no_result, quoted(text), value.error())
+                            : Words(lang::exercises::is_neither_a_result_nor, quoted(text), meant));
     return std::nullopt;
 }
 
@@ -449,9 +391,7 @@ void ExerciseReader::match_sides(JsonValue at, Condition& condition) {
     const std::size_t before = faults_.size();
     hold_sides_together(at, condition);
     if (!is_between || faults_.size() > before || !never_holds(condition)) return;
-    fault(at, {"never holds, for {0} is more than {1}; exchange the limits",
-               "non vale mai, perché {0} è più di {1}; scambiare i limiti", quoted(condition.right.text),
-               quoted(condition.upper.text)});
+    fault(at, {lang::exercises::never_holds_for_is_more, quoted(condition.right.text), quoted(condition.upper.text)});
 }
 
 bool ExerciseReader::never_holds(const Condition& condition) const {
@@ -496,11 +436,11 @@ void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
         if (side->result.empty()) {
             const auto read = as_quantity(*side->measured, column->unit, bare_unit(column->unit));
             if (!read)
-                fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result),
-                           with_article(column->unit), quoted(side->text), described(*side->measured)});
+                fault(at, {lang::exercises::is_and, quoted(result->result), with_article(column->unit),
+                           quoted(side->text), described(*side->measured)});
         } else if (const Column* other = result_named(side->result); other != nullptr && other->unit != column->unit) {
-            fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result),
-                       with_article(column->unit), quoted(side->result), with_article(other->unit)});
+            fault(at, {lang::exercises::is_and, quoted(result->result), with_article(column->unit),
+                       quoted(side->result), with_article(other->unit)});
         }
     }
 }

@@ -1,4 +1,6 @@
 #include "engine/reading/form_reader.hpp"
+#include "lang/keys/forms.hpp"
+#include "lang/keys/notation.hpp"
 
 #include <algorithm>
 #include <unordered_set>
@@ -13,7 +15,7 @@ void FormReader::fault(JsonValue at, Words message) {
 }
 
 void FormReader::wrong(JsonValue value, const Words& wanted) {
-    fault(value, {"{0} is wanted here, not {1}", "qui serve {0}, non {1}", wanted, described(value)});
+    fault(value, {lang::forms::is_wanted_here_not, wanted, described(value)});
 }
 
 bool FormReader::expect(JsonValue value, Kind kind, const Words& wanted) {
@@ -31,12 +33,12 @@ Members FormReader::members(JsonValue object, std::span<const std::string_view> 
             continue;
         }
         const auto meant = speller_.nearest(member.key(), known);
-        Words message("unknown key {0}", "chiave sconosciuta {0}", quoted(member.key()));
+        Words message(lang::forms::unknown_key, quoted(member.key()));
         if (meant) {
             message += did_you_mean(meant);
             result.misspelt_.push_back(*meant);
         } else {
-            message += Words("; the keys of {0} are {1}", "; le chiavi di {0} sono {1}", form, listed(known));
+            message += Words(lang::forms::the_keys, form, listed(known));
         }
         fault(member, std::move(message));
     }
@@ -45,13 +47,12 @@ Members FormReader::members(JsonValue object, std::span<const std::string_view> 
 
 JsonValue FormReader::required(const Members& of, std::string_view key, const Words& meaning) {
     if (of[key]) return of[key];
-    if (!of.has_or_misspells(key)) fault(of.object_, {"\"{0}\" is missing: {1}", "manca \"{0}\": {1}", key, meaning});
+    if (!of.has_or_misspells(key)) fault(of.object_, {lang::forms::is_missing, key, meaning});
     return {};
 }
 
 void FormReader::not_together(JsonValue at, std::string_view other) {
-    fault(at, {"{0} and {1} do not go together; take one of them out", "{0} e {1} non stanno insieme; toglierne una",
-               quoted(at.key()), quoted(other)});
+    fault(at, {lang::forms::and_do_not_go_together_take, quoted(at.key()), quoted(other)});
 }
 
 JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed) {
@@ -69,7 +70,7 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
     const bool misspelt =
         std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
     if (!only && needed && !misspelt) {
-        fault(of.object_, {"one of {0} is missing", "manca una fra {0}", listed({keys.begin(), keys.size()})});
+        fault(of.object_, {lang::forms::one_of_is_missing, listed({keys.begin(), keys.size()})});
     }
     return only;
 }
@@ -78,19 +79,13 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
 
 void FormReader::check_name(JsonValue at, std::string_view name) {
     if (name.empty()) {
-        fault(at, {"a name must not be empty", "un nome non può essere vuoto"});
+        fault(at, {lang::forms::a_name_must_not_be_empty});
     } else if (name.find(',') != std::string_view::npos) {
-        fault(at,
-              {"the name {0} has a comma; names in results are separated by commas, so choose another",
-               "il nome {0} ha una virgola; nei risultati i nomi sono separati da virgole, quindi sceglierne un altro",
-               quoted(name)});
+        fault(at, {lang::forms::the_name_has_a_comma_names, quoted(name)});
     } else if (name.find(" on ") != std::string_view::npos) {
-        fault(at, {"the name {0} has \" on \" in it; results say \"3 on 2\", so choose another",
-                   "il nome {0} contiene \" on \"; i risultati dicono \"3 on 2\", quindi sceglierne un altro",
-                   quoted(name)});
+        fault(at, {lang::forms::the_name, quoted(name)});
     } else if (has_control_character(name, true)) {
-        fault(at, {"the name {0} has a control character; take it out",
-                   "il nome {0} ha un carattere di controllo; toglierlo", quoted(name)});
+        fault(at, {lang::forms::the_name_has_a_control_character, quoted(name)});
     }
 }
 
@@ -119,15 +114,14 @@ PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
         return found->second;
     }
     if (points_known_)
-        fault(at, {"no point is named {0}{1}", "nessun punto si chiama {0}{1}", quoted(name),
-                   did_you_mean(speller_.nearest(name, point_names_))});
+        fault(at, {lang::forms::no_point_is_named, quoted(name), did_you_mean(speller_.nearest(name, point_names_))});
     return none;
 }
 
 PointIndex FormReader::point(JsonValue value, bool in_array) {
     if (!value) return none;
     if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
-    wrong(value, {"a point's name", "il nome di un punto"});
+    wrong(value, {lang::forms::a_point_name});
     return none;
 }
 
@@ -135,15 +129,14 @@ BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
     const auto found = bodies_by_name_.find(name);
     if (found != bodies_by_name_.end()) return found->second;
     if (bodies_known_)
-        fault(at, {"no body is named {0}{1}", "nessun corpo si chiama {0}{1}", quoted(name),
-                   did_you_mean(speller_.nearest(name, body_names_))});
+        fault(at, {lang::forms::no_body_is_named, quoted(name), did_you_mean(speller_.nearest(name, body_names_))});
     return none;
 }
 
 BodyIndex FormReader::body(JsonValue value) {
     if (!value) return none;
     if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
-    wrong(value, {"a body's name", "il nome di un corpo"});
+    wrong(value, {lang::forms::a_body_name});
     return none;
 }
 
@@ -155,10 +148,9 @@ BodyIndex FormReader::moving_body(JsonValue value, const Words& why) {
 
 Words FormReader::words(JsonValue value) {
     const auto line = [&](JsonValue text) -> std::string {
-        if (!expect(text, Kind::string, {"a text", "un testo"})) return {};
+        if (!expect(text, Kind::string, {lang::forms::a_text})) return {};
         if (has_control_character(text.text(), false))
-            fault(text, {"a control character cannot be drawn; take it out of {0}",
-                         "un carattere di controllo non si può disegnare; toglierlo da {0}", quoted(text.text())});
+            fault(text, {lang::forms::a_control_character_cannot_be_drawn, quoted(text.text())});
         std::string clean(text.text());
         std::replace_if(
             clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
@@ -166,40 +158,48 @@ Words FormReader::words(JsonValue value) {
     };
     Words result;
     if (value.is_string()) {
-        result.en = result.it = line(value);
+        result = line(value);
     } else if (value.is_object()) {
-        const Members by_language =
-            members(value, {"en", "it"}, {"a text in several languages", "un testo in più lingue"});
-        one_of_both(by_language);
-        if (by_language["en"]) result.en = line(by_language["en"]);
-        result.it = by_language["it"] ? line(by_language["it"]) : result.en;
-        if (!by_language["en"]) result.en = result.it;
+        std::vector<std::string_view> codes;
+        for (const Language language : languages) codes.push_back(lang::notation::code.in(language));
+        const Members by_language = members(value, codes, {lang::forms::a_text_in_several_languages});
+        // A language that lacks it takes the first of the others.
+        std::string otherwise;
+        bool any = false;
+        Text text;
+        for (std::size_t i = codes.size(); i-- > 0;)
+            if (by_language[codes[i]]) {
+                otherwise = text.by_language.at(i) = line(by_language[codes[i]]);
+                any = true;
+            }
+        if (!any) wants_a_language(by_language);
+        for (std::string& each : text.by_language)
+            if (each.empty()) each = otherwise;
+        result = text;
     } else {
-        wrong(value, {"a text or {\"en\": …, \"it\": …}", "un testo o {\"en\": …, \"it\": …}"});
+        wrong(value, {lang::forms::a_text_or_en});
     }
     return result;
 }
 
-void FormReader::one_of_both(const Members& by_language) {
-    if (!by_language.has_or_misspells("en") && !by_language.has_or_misspells("it")) {
-        fault(by_language.object_, {"neither \"en\" nor \"it\" is given", "non è dato né \"en\" né \"it\""});
-    }
+void FormReader::wants_a_language(const Members& by_language) {
+    const bool has_one = std::any_of(languages.begin(), languages.end(), [&](Language language) {
+        return by_language.has_or_misspells(lang::notation::code.in(language));
+    });
+    if (has_one) return;
+    std::string codes;
+    for (const Language language : languages) codes += (codes.empty() ? "\"" : ", \"") + code_of(language) + "\"";
+    fault(by_language.object_, {lang::forms::no_language_is_given, codes});
 }
 
 // ----- parameters
 
 void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> set) {
-    if (parameters &&
-        !expect(parameters, Kind::object, {"an object of parameters by name", "un oggetto con i parametri per nome"}))
-        return;
+    if (parameters && !expect(parameters, Kind::object, {lang::forms::an_object_of_parameters_by_name})) return;
     if (parameters) {
         for (const JsonValue member : parameters) {
             if (!is_parameter_name(member.key()))
-                fault(member,
-                      {"{0} can be no parameter’s name: a letter, then letters, digits and _; no function of formulas",
-                       "{0} non può essere il nome di un parametro: una lettera, poi lettere, cifre e _; nessuna "
-                       "funzione delle formule",
-                       quoted(member.key())});
+                fault(member, {lang::forms::can_be_no_parameter_name, quoted(member.key())});
             if (parameters_.try_emplace(member.key(), Parameter{.at = member, .set = {}}).second)
                 parameter_names_.push_back(member.key());
         }
@@ -209,8 +209,7 @@ void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> 
         if (found == parameters_.end()) {
             faults_.emplace_back(0, Error{ErrorCode::bad_input,
                                           {},
-                                          {"--set {0}: the file has no parameter named {0}{1}",
-                                           "--set {0}: il file non ha un parametro {0}{1}", quoted(setting.name),
+                                          {lang::forms::set_the_file_has_no_parameter, quoted(setting.name),
                                            did_you_mean(speller_.nearest(setting.name, parameter_names_))}});
         } else {
             found->second.set = setting.value;
@@ -228,22 +227,20 @@ void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
     const bool of_the_file = parameter.set.empty();
     tl::expected<Measured, Words> value = tl::make_unexpected(Words());
     if (of_the_file && !parameter.at.is_number() && !parameter.at.is_string()) {
-        wrong(parameter.at, {"a number, a quantity or a formula", "un numero, una grandezza o una formula"});
+        wrong(parameter.at, {lang::forms::a_number_a_quantity});
     } else {
         value = read_measured(of_the_file ? parameter.at.text() : parameter.set,
                               [this](std::string_view other) { return look_up_parameter(other); });
     }
     // "40" is a number in quotes: it lacks its unit, as everywhere in a file.
     if (value && of_the_file && parameter.at.is_string() && !is_formula(parameter.at.text()) && value->is_bare)
-        value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
-                                          "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
-                                          quoted(parameter.at.text())));
+        value = tl::make_unexpected(Words(lang::forms::has_no_unit_add, quoted(parameter.at.text())));
     --parameters_being_read_;
     being_read_ = outer;
     parameter.state = value ? Parameter::State::read : Parameter::State::faulty;
     if (value) parameter.value = std::move(*value);
     if (value || value.error().empty()) return;
-    fault(parameter.at, of_the_file ? value.error() : Words("--set {0}: {1}", "--set {0}: {1}", name, value.error()));
+    fault(parameter.at, of_the_file ? value.error() : Words(lang::forms::set, name, value.error()));
 }
 
 tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view name) {
@@ -252,8 +249,8 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
     if (found == parameters_.end()) {
         std::vector<std::string_view> known = parameter_names_;
         for (const std::string_view word : formula_words()) known.push_back(word);
-        return tl::make_unexpected(Words("no parameter is named {0}{1}", "nessun parametro si chiama {0}{1}",
-                                         quoted(name), did_you_mean(speller_.nearest(name, known))));
+        return tl::make_unexpected(
+            Words(lang::forms::no_parameter_is_named, quoted(name), did_you_mean(speller_.nearest(name, known))));
     }
     Parameter& parameter = found->second;
     if (being_read_ != nullptr)
@@ -261,13 +258,10 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
     else
         parameter.is_used = true;
     if (parameter.state == Parameter::State::being_read)
-        return tl::make_unexpected(
-            Words("the parameter {0} is given by itself; give one of the cycle a value",
-                  "il parametro {0} è dato per mezzo di se stesso; dare un valore a uno del cerchio", quoted(name)));
+        return tl::make_unexpected(Words(lang::forms::the_parameter_is_given_by_itself, quoted(name)));
     if (parameter.state == Parameter::State::unread && parameters_being_read_ > most_within_each_other)
-        return tl::make_unexpected(Words("more than {0} parameters are given one by the other",
-                                         "più di {0} parametri sono dati l’uno per mezzo dell’altro",
-                                         std::to_string(most_within_each_other)));
+        return tl::make_unexpected(
+            Words(lang::forms::more_than_parameters_are_given, std::to_string(most_within_each_other)));
     if (parameter.state == Parameter::State::unread) read_parameter(name, parameter);
     if (parameter.state == Parameter::State::faulty) return tl::make_unexpected(Words());
     return parameter.value;
@@ -334,19 +328,15 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
     } else if (value.is_string()) {
         result = read_quantity(value.text(), kind);
         if (result && result->unit->kind != kind) {
-            result =
-                tl::make_unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}",
-                                          quoted(value.text()), with_article(result->unit->kind), with_article(kind)));
+            result = tl::make_unexpected(Words(lang::forms::is_is_wanted_here, quoted(value.text()),
+                                               with_article(result->unit->kind), with_article(kind)));
         }
     } else {
         wrong(value, with_article(kind));
         return std::nullopt;
     }
     if (result && !is_within_range(result->in_si())) {
-        result = tl::make_unexpected(
-            Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
-                  "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
-                  shown(value.text(), 40)));
+        result = tl::make_unexpected(Words(lang::forms::is_outside_1e_60_1e60, shown(value.text(), 40)));
     }
     if (!result) {
         fault(value, std::move(result.error()));
@@ -367,20 +357,18 @@ Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) {
 
 Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() <= 0)
-        fault(value, {"{0} must be greater than zero", "{0} deve essere maggiore di zero", what});
+    if (number && number->sign() <= 0) fault(value, {lang::forms::must_be_greater_than_zero, what});
     return number.value_or(Exact(1));
 }
 
 Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() < 0)
-        fault(value, {"{0} must not be negative", "{0} non può avere valore negativo", what});
+    if (number && number->sign() < 0) fault(value, {lang::forms::must_not_be_negative, what});
     return number.value_or(Exact());
 }
 
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
-    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {"a bare number", "un numero puro"})))
+    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {lang::forms::a_bare_number})))
         return std::nullopt;
     tl::expected<Exact, Words> number;
     if (value.is_number()) {
@@ -391,9 +379,7 @@ std::optional<Exact> FormReader::bare_number(JsonValue value) {
         number = as_number(*found);
     }
     if (number && !is_within_range(*number)) {
-        number = tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60, where a number other than zero must lie",
-                                           "{0} è fuori da 1e-60 … 1e60, dove deve stare un numero diverso da zero",
-                                           shown(value.text(), 40)));
+        number = tl::make_unexpected(Words(lang::forms::is_outside_1e_60_1e60_where, shown(value.text(), 40)));
     }
     if (!number) {
         fault(value, std::move(number.error()));
@@ -426,9 +412,9 @@ std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, con
 }
 
 std::optional<Vector> FormReader::sense(JsonValue value) {
-    auto direction = vector(value, QuantityKind::dimensionless, {"a vector [dx, dy]", "un vettore [dx, dy]"});
+    auto direction = vector(value, QuantityKind::dimensionless, {lang::forms::a_vector_dx_dy});
     if (direction && direction->is_zero()) {
-        fault(value, {"[0, 0] has no direction", "[0, 0] non ha direzione"});
+        fault(value, {lang::forms::n_0_0_has_no_direction});
         return std::nullopt;
     }
     return direction;
@@ -438,9 +424,7 @@ Bearing::Between FormReader::between(JsonValue value) {
     const JsonValue first = *value.begin();
     const JsonValue second = *++value.begin();
     const Bearing::Between ends{point(first, true), point(second, true)};
-    if (ends.from != none && ends.from == ends.to)
-        fault(value, {"a point and itself give no direction; name two points",
-                      "un punto e se stesso non danno una direzione; indicare due punti"});
+    if (ends.from != none && ends.from == ends.to) fault(value, {lang::forms::a_point_and_itself_give_no});
     return ends;
 }
 
@@ -448,9 +432,7 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
     if (!value) return std::nullopt;
     if (value.is_string() && points_by_name_.contains(value.text()) &&
         !read_quantity(value.text(), QuantityKind::angle)) {
-        fault(value,
-              {"{0} is a point, no direction; two points in an array give one: [{0}, …]",
-               "{0} è un punto, non una direzione; la danno due punti in un array: [{0}, …]", quoted(value.text())});
+        fault(value, {lang::forms::is_a_point_no_direction_two, quoted(value.text())});
         return std::nullopt;
     }
     if (value.is_number() || value.is_string()) {
@@ -469,9 +451,7 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
             return Bearing{std::move(*direction)};
         }
     }
-    fault(value, {"a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not {0}",
-                  "qui serve una direzione: un angolo, due punti [\"A\", \"B\"] o un vettore [dx, dy], non {0}",
-                  described(value)});
+    fault(value, {lang::forms::a_direction_is_wanted_here, described(value)});
     return std::nullopt;
 }
 
@@ -479,9 +459,7 @@ Bearing FormReader::bearing_or_default(JsonValue value) { return bearing(value).
 
 Place FormReader::place(JsonValue value) {
     if (value.is_array())
-        return vector(value, QuantityKind::length,
-                      {"a point's name or its coordinates [x, y]", "il nome di un punto o le sue coordinate [x, y]"})
-            .value_or(Vector{});
+        return vector(value, QuantityKind::length, {lang::forms::a_point_name_or_its_coordinates}).value_or(Vector{});
     return point(value);
 }
 

@@ -98,7 +98,7 @@ public:
     /// A moving body: the frame is rejected with the message `why`.
     BodyIndex moving_body(JsonValue value, const Words& why);
     Words words(JsonValue value);
-    void one_of_both(const Members& by_language);
+    void wants_a_language(const Members& by_language);
 
     // ----- parameters
     /// Reads every parameter here, so that its faults are reported even if it is unused. `set` overrides the file's

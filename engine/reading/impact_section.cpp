@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/impact.hpp"
 
 #include <cstddef>
 #include <string_view>
@@ -7,35 +8,28 @@ namespace kinegraph {
 
 std::optional<ImpactProblem> ImpactSection::read(JsonValue section) {
     const Members form =
-        file_.members(section, {"bodies", "at", "normal", "restitution", "friction"}, {"\"impact\"", "\"impact\""});
+        file_.members(section, {"bodies", "at", "normal", "restitution", "friction"}, {lang::impact::impact});
     ImpactProblem problem;
     problem.where = section.pointer();
     const auto bodies = bodies_.two(form);
     if (bodies[0])
         for (std::size_t i = 0; i < 2; ++i) problem.bodies.at(i) = read_body(bodies.at(i));
-    if (const JsonValue at = file_.required(
-            form, "at", {"the point of impact, a point or [x, y]", "il punto d’urto, un punto o [x, y]"}))
+    if (const JsonValue at = file_.required(form, "at", {lang::impact::the_point_of_impact_a_point}))
         problem.at = file_.place(at);
-    if (const JsonValue normal =
-            file_.required(form, "normal", {"the direction of the line of impact", "la direzione della linea d’urto"}))
+    if (const JsonValue normal = file_.required(form, "normal", {lang::impact::the_direction_of_the_line}))
         problem.normal = file_.bearing_or_default(normal);
     const JsonValue restitution =
-        file_.required(form, "restitution",
-                       {"the coefficient of restitution, from 0 to 1", "il coefficiente di restituzione, da 0 a 1"});
+        file_.required(form, "restitution", {lang::impact::the_coefficient_of_restitution_from_0});
     problem.restitution = file_.bare_number(restitution).value_or(Exact());
     if (problem.restitution.sign() < 0 || problem.restitution > Exact(1))
-        file_.fault(restitution, {"the coefficient of restitution lies from 0 (plastic) to 1 (elastic)",
-                                  "il coefficiente di restituzione sta fra 0 (plastico) e 1 (elastico)"});
+        file_.fault(restitution, {lang::impact::the_coefficient_of_restitution_lies});
     if (const JsonValue friction = form["friction"]) {
         problem.friction = file_.bare_number(friction).value_or(Exact());
-        if (problem.friction.sign() < 0)
-            file_.fault(friction, {"the coefficient of friction must not be negative",
-                                   "il coefficiente d’attrito non può essere negativo"});
+        if (problem.friction.sign() < 0) file_.fault(friction, {lang::impact::the_coefficient_of_friction_must_not});
     }
     if (!bodies[0]) return std::nullopt;
     if (problem.bodies[0].fixed && problem.bodies[1].fixed)
-        file_.fault(form["bodies"], {"both bodies are fixed, so nothing moves; let one of them free",
-                                     "entrambi i corpi sono fissi e nulla si muove; liberarne uno"});
+        file_.fault(form["bodies"], {lang::impact::both_bodies_are_fixed_so_nothing});
     return problem;
 }
 
@@ -43,42 +37,31 @@ ImpactBody ImpactSection::read_body(JsonValue member) {
     ImpactBody body;
     body.body = bodies_.body(member);
     body.where = member.pointer();
-    if (!file_.expect(member, Kind::object, {"an object", "un oggetto"})) return body;
+    if (!file_.expect(member, Kind::object, {lang::impact::an_object})) return body;
     const Members form = file_.members(
-        member, {"mass", "centre", "inertia", "velocity", "omega", "pivot", "fixed", "label"}, {"a body", "un corpo"});
+        member, {"mass", "centre", "inertia", "velocity", "omega", "pivot", "fixed", "label"}, {lang::impact::a_body});
     if (form["label"]) mechanism_.bodies[at_index(body.body)].label = file_.words(form["label"]);
     if (const JsonValue fixed = form["fixed"];
-        fixed && file_.expect(fixed, Kind::boolean, {"true or false", "true o false"}))
+        fixed && file_.expect(fixed, Kind::boolean, {lang::impact::true_or_false}))
         body.fixed = is_true(fixed);
     if (body.fixed) {
         for (const std::string_view key : {"mass", "centre", "inertia", "velocity", "omega", "pivot"})
-            if (form[key])
-                file_.fault(form[key], {"a fixed body has no {0}; take it out", "un corpo fisso non ha {0}; toglierlo",
-                                        quoted(key)});
+            if (form[key]) file_.fault(form[key], {lang::impact::a_fixed_body_has_no_take, quoted(key)});
         return body;
     }
-    body.mass =
-        file_.positive(file_.required(form, "mass", {"the mass (or \"fixed\": true)", "la massa (o \"fixed\": true)"}),
-                       QuantityKind::mass, {"a mass", "una massa"});
+    body.mass = file_.positive(file_.required(form, "mass", {lang::impact::the_mass_or_fixed_true}), QuantityKind::mass,
+                               {lang::impact::a_mass});
     if (form["inertia"])
-        body.inertia =
-            file_.positive(form["inertia"], QuantityKind::inertia, {"a moment of inertia", "un momento d’inerzia"});
+        body.inertia = file_.positive(form["inertia"], QuantityKind::inertia, {lang::impact::a_moment_of_inertia});
     if (form["centre"]) body.centre = file_.place(form["centre"]);
     if (form["omega"]) body.omega = file_.quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
-    body.velocity =
-        file_.vector(form["velocity"], QuantityKind::velocity, {"a vector [vx, vy]", "un vettore [vx, vy]"});
+    body.velocity = file_.vector(form["velocity"], QuantityKind::velocity, {lang::impact::a_vector_vx_vy});
     if (form["omega"] && !form["inertia"] && !form["pivot"])
-        file_.fault(form["omega"], {"a body that turns has an \"inertia\"; give it, or take \"omega\" out",
-                                    "un corpo che ruota ha un \"inertia\"; assegnarlo, o togliere \"omega\""});
+        file_.fault(form["omega"], {lang::impact::a_body_that_turns});
     if (const JsonValue pivot = form["pivot"]) {
         body.pivot = file_.place(pivot);
-        if (form["velocity"])
-            file_.fault(form["velocity"],
-                        {"the velocity of a body on a pivot follows from its \"omega\"; give that",
-                         "la velocità di un corpo incernierato segue dalla sua \"omega\"; assegnare quella"});
-        if (!form["centre"])
-            file_.fault(member, {"a body on a pivot has a \"centre\"; give it",
-                                 "un corpo incernierato ha un \"centre\"; assegnarlo"});
+        if (form["velocity"]) file_.fault(form["velocity"], {lang::impact::the_velocity_of_a_body});
+        if (!form["centre"]) file_.fault(member, {lang::impact::a_body_on_a_pivot});
     }
     return body;
 }

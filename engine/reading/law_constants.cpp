@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/laws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,22 +42,14 @@ std::optional<std::string> with_unit_put_together(std::string_view text) {
 }  // namespace
 
 void LawConstants::read(JsonValue constants) {
-    if (!constants || !file_.expect(constants, Kind::object,
-                                    {"an object of constants by name", "un oggetto con le costanti per nome"}))
-        return;
+    if (!constants || !file_.expect(constants, Kind::object, {lang::laws::an_object_of_constants_by_name})) return;
     for (const JsonValue member : constants) {
         std::optional<Measured> value;
         if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" ||
             elementary_called(member.key()))
-            file_.fault(
-                member,
-                {"{0} can be no constant’s name: a letter, then letters, digits and _; not t, x, pi nor a function",
-                 "{0} non può essere il nome di una costante: una lettera, poi lettere, cifre e _; non t, x, pi né una "
-                 "funzione",
-                 quoted(member.key())});
+            file_.fault(member, {lang::laws::can_be_no_constant_name, quoted(member.key())});
         else if (file_.has_parameter(member.key()))
-            file_.fault(member, {"{0} is a parameter already; rename one of them",
-                                 "{0} è già un parametro; rinominare uno dei due", quoted(member.key())});
+            file_.fault(member, {lang::laws::is_a_parameter_already_rename, quoted(member.key())});
         else
             value = read_one(member);
         constants_.emplace_back(member.key(), std::move(value));
@@ -65,8 +58,7 @@ void LawConstants::read(JsonValue constants) {
 
 std::optional<Measured> LawConstants::read_one(JsonValue member) {
     if (!FormReader::is_numeric(member) && !member.is_string()) {
-        file_.wrong(member, {"a number, a quantity as \"20 m/s\" or a formula",
-                             "un numero, una grandezza come \"20 m/s\" o una formula"});
+        file_.wrong(member, {lang::laws::a_number_a_quantity_as_20});
         return std::nullopt;
     }
     const auto known = [this](std::string_view name) { return look_up(name, "t"); };
@@ -75,9 +67,7 @@ std::optional<Measured> LawConstants::read_one(JsonValue member) {
         if (const auto formula = with_unit_put_together(member.text()))
             if (auto read = read_measured(*formula, known)) value = std::move(read);
     if (value && member.is_string() && !is_formula(member.text()) && value->is_bare)
-        value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
-                                          "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
-                                          quoted(member.text())));
+        value = tl::make_unexpected(Words(lang::laws::has_no_unit_add, quoted(member.text())));
     if (value) return *std::move(value);
     if (!value.error().empty()) file_.fault(member, std::move(value.error()));
     return std::nullopt;
@@ -98,9 +88,8 @@ tl::expected<Measured, Words> LawConstants::look_up(std::string_view name, std::
     std::vector<std::string_view> known(file_.parameter_names());
     for (const auto& each : constants_) known.push_back(each.first);
     known.push_back(variable);
-    return tl::make_unexpected(Words("no constant is named {0}{1}; give it in \"constants\"",
-                                     "nessuna costante si chiama {0}{1}; assegnarla in \"constants\"", quoted(name),
-                                     did_you_mean(file_.speller().nearest(name, known))));
+    return tl::make_unexpected(
+        Words(lang::laws::no_constant_is_named_give, quoted(name), did_you_mean(file_.speller().nearest(name, known))));
 }
 
 }  // namespace kinegraph

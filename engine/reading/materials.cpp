@@ -1,3 +1,4 @@
+#include "lang/keys/materials.hpp"
 #include "engine/reading/problem_sections.hpp"
 
 #include <algorithm>
@@ -33,19 +34,12 @@ void Materials::read(const Members& form, HertzBody& body) {
             if (form[key]) file_.not_together(form[key], "material");
         return read_by_name(name, body);
     }
-    body.young = file_.positive(
-        file_.required(form, "young",
-                       {"Young’s modulus (or give a \"material\")", "il modulo di Young (o dare un \"material\")"}),
-        QuantityKind::pressure, {"Young’s modulus", "il modulo di Young"});
-    const JsonValue ratio = file_.required(
-        form, "poisson",
-        {"Poisson’s ratio (or give a \"material\")", "il coefficiente di Poisson (o dare un \"material\")"});
+    body.young = file_.positive(file_.required(form, "young", {lang::materials::young_modulus_or_give_a_material}),
+                                QuantityKind::pressure, {lang::materials::young_modulus});
+    const JsonValue ratio = file_.required(form, "poisson", {lang::materials::poisson_ratio_or_give_a_material});
     body.poisson = file_.bare_number(ratio).value_or(Exact());
     if (ratio && (body.poisson.sign() < 0 || body.poisson >= Exact::ratio(1, 2)))
-        file_.fault(
-            ratio,
-            {"Poisson’s ratio must lie from 0 to less than 0.5, where a body could not be compressed at all",
-             "il coefficiente di Poisson deve stare fra 0 e meno di 0.5, dove un corpo non sarebbe comprimibile"});
+        file_.fault(ratio, {lang::materials::poisson_ratio_must_lie_from_0});
 }
 
 void Materials::read_by_name(JsonValue name, HertzBody& body) {
@@ -54,10 +48,8 @@ void Materials::read_by_name(JsonValue name, HertzBody& body) {
     const auto* found =
         std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
     if (!name.is_string() || found == materials.end()) {
-        file_.fault(name,
-                    {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
-                     "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")",
-                     quoted(name.text()), did_you_mean(file_.speller().nearest(name.text(), names)), listed(names)});
+        file_.fault(name, {lang::materials::no_material_is_known_as_known, quoted(name.text()),
+                           did_you_mean(file_.speller().nearest(name.text(), names)), listed(names)});
         return;
     }
     body.young = Exact::from_double(found->young);

@@ -15,6 +15,7 @@
 #include "engine/reading/exercise_reader.hpp"
 #include "engine/reading/problem_sections.hpp"
 #include "engine/reading/sections.hpp"
+#include "lang/keys/mechanism.hpp"
 
 namespace kinegraph {
 namespace {
@@ -28,13 +29,10 @@ public:
 
     Result<Mechanism> read() {
         for (const JsonValue& twice : source_.duplicates()) {
-            fault(twice,
-                  {"{0} stands twice in this object; rename one or take it out",
-                   "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
+            fault(twice, {lang::mechanism::stands_twice_in_this_object_rename, quoted(twice.key())});
         }
         if (const JsonValue root = source_.root(); !root.is_object()) {
-            fault(root, {"a mechanism is a JSON object, not {0}", "un meccanismo è un oggetto JSON, non {0}",
-                         described(root)});
+            fault(root, {lang::mechanism::a_mechanism_is_a_json_object, described(root)});
         } else {
             read_file(root);
         }
@@ -65,7 +63,7 @@ private:
                    "points",  "bodies",    "joints", "drivers", "masses",     "gravity",        "inertia forces",
                    "loads",   "effort",    "motion", "find",    "scales",     "hertz",          "reye",
                    "impact",  "positions", "ask",    "vary",    "require",    "position of cam"},
-            {"a mechanism", "un meccanismo"});
+            {lang::mechanism::a_mechanism});
         read_head(file);
         // A problem names its own bodies and needs no points.
         const bool is_problem = ProblemSection::is_in(file);
@@ -76,7 +74,7 @@ private:
             joints_.read_joints(file);
             if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
                 mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
-            each(file["drivers"], {"an array of drivers", "un array di moventi"},
+            each(file["drivers"], {lang::mechanism::an_array_of_drivers},
                  [&](JsonValue v) { drivers_.read_driver(v); });
             read_forces(file);
             read_wishes(file);
@@ -86,16 +84,14 @@ private:
     }
 
     void read_head(const Members& file) {
-        const JsonValue version = required(file, "kinegraph",
-                                           {"write \"kinegraph\": 1, the version of the format",
-                                            "scrivere \"kinegraph\": 1, la versione del formato"});
+        const JsonValue version = required(file, "kinegraph", {lang::mechanism::write_kinegraph_1_the_version});
         if (version) read_version(version);
-        if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
+        if (file["$schema"]) expect(file["$schema"], Kind::string, {lang::mechanism::a_text});
         if (file["title"]) mechanism_.title = words(file["title"]);
         units_.read_units(file["units"]);
         read_parameters(file["parameters"], set_);
         if (const JsonValue cam = file["position of cam"];
-            cam && expect(cam, Kind::string, {"the name of a cam file", "il nome di un file di camma"}))
+            cam && expect(cam, Kind::string, {lang::mechanism::the_name_of_a_cam_file}))
             mechanism_.cam_file = cam.text();
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
@@ -105,16 +101,15 @@ private:
         const auto wanted = [&](std::string_view key, const Words& what) {
             return may_be_absent ? file[key] : required(file, key, what);
         };
-        const JsonValue points = wanted("points", {"an object of points by name", "un oggetto con i punti per nome"});
-        const JsonValue bodies = wanted("bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
-        if (points &&
-            expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
+        const JsonValue points = wanted("points", {lang::mechanism::an_object_of_points_by_name});
+        const JsonValue bodies = wanted("bodies", {lang::mechanism::an_object_of_bodies_by_name});
+        if (points && expect(points, Kind::object, {lang::mechanism::an_object_of_points_by_name})) {
             know_points(true);
             for (const JsonValue member : points) points_.register_point(member);
         }
         if (may_be_absent && !points) know_points(true);  // there are none
         const bool bodies_readable =
-            bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
+            bodies && expect(bodies, Kind::object, {lang::mechanism::an_object_of_bodies_by_name});
         know_bodies(bodies_readable);
         bodies_.register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
         if (points && points_known_) points_.read_points(points);
@@ -123,36 +118,30 @@ private:
 
     void read_forces(const Members& file) {
         loads_.read_masses(file["masses"]);
-        mechanism_.gravity =
-            vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
+        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {lang::mechanism::a_vector_gx_gy});
         if (const JsonValue inertia = file["inertia forces"];
-            inertia && expect(inertia, Kind::boolean, {"true or false", "true o false"})) {
+            inertia && expect(inertia, Kind::boolean, {lang::mechanism::true_or_false})) {
             mechanism_.inertia_forces = is_true(inertia);
         }
-        each(file["loads"], {"an array of loads", "un array di carichi"}, [&](JsonValue v) { loads_.read_load(v); });
+        each(file["loads"], {lang::mechanism::an_array_of_loads}, [&](JsonValue v) { loads_.read_load(v); });
         if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
             efforts_.read_effort(effort);
         } else {
-            each(effort, {"an array of efforts", "un array di azioni equilibranti"},
-                 [&](JsonValue v) { efforts_.read_effort(v); });
+            each(effort, {lang::mechanism::an_array_of_efforts}, [&](JsonValue v) { efforts_.read_effort(v); });
         }
     }
 
     void read_wishes(const Members& file) {
         if (file["motion"]) motion_.read_motion(file["motion"]);
         if (file["find"]) mechanism_.find.stated = true;
-        each(file["find"], {"an array of what to find", "un array di ciò che si cerca"},
-             [&](JsonValue v) { wishes_.read_wish(v); });
+        each(file["find"], {lang::mechanism::an_array_of_what_to_find}, [&](JsonValue v) { wishes_.read_wish(v); });
         units_.read_scales(file["scales"]);
     }
 
     void read_version(JsonValue version) {
         const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, Words>(Exact());
         if (!number || *number != Exact(1)) {
-            fault(version,
-                  {"the version of the format is 1, not {0}; a newer program may read this file",
-                   "la versione del formato è 1, non {0}; un programma più recente può forse leggere questo file",
-                   described(version)});
+            fault(version, {lang::mechanism::the_version_of_the_format, described(version)});
         }
     }
 

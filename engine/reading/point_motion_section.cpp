@@ -7,6 +7,7 @@
 
 #include "engine/drawing/pose.hpp"
 #include "engine/file/expression.hpp"
+#include "lang/keys/point_motion.hpp"
 
 namespace kinegraph {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 6> law_keys{"x", "y", "r", "theta", "path", "s"};
 
 const Words& an_expression() {
-    static const Words wanted("an expression in t, as \"v0*t\"", "un’espressione in t, come \"v0*t\"");
+    static const Words wanted(lang::point_motion::an_expression_in_t_as_v0);
     return wanted;
 }
 
@@ -29,11 +30,11 @@ bool PointMotionSection::is_stated_by(JsonValue motion) {
 std::optional<PointProblem> PointMotionSection::read(JsonValue section) {
     const Members form =
         file_.members(section, {"point", "x", "y", "r", "theta", "path", "s", "at", "from", "to", "constants"},
-                      {"the motion of a point", "il moto di un punto"});
+                      {lang::point_motion::the_motion_of_a_point});
     PointProblem problem;
     problem.where = section.pointer();
     problem.point = "P";
-    if (form["point"]) problem.point = file_.new_name(form["point"], {"the point’s name", "il nome del punto"});
+    if (form["point"]) problem.point = file_.new_name(form["point"], {lang::point_motion::the_point_name});
     constants_.read(form["constants"]);
     read_laws(form, problem);
     read_times(form, problem);
@@ -58,16 +59,12 @@ void PointMotionSection::read_laws(const Members& form, PointProblem& problem) {
         problem.form = PointProblem::Form::polar;
         alone({"y", "s"});
         law(leading, "r", QuantityKind::length);
-        law(file_.required(form, "theta",
-                           {"the angle of the radius, an expression in t", "l’angolo del raggio, un’espressione in t"}),
-            "θ", QuantityKind::angle);
+        law(file_.required(form, "theta", {lang::point_motion::the_angle_of_the_radius}), "θ", QuantityKind::angle);
     } else {
         problem.form = PointProblem::Form::path;
         alone({"y", "theta"});
         read_path(leading, problem);
-        law(file_.required(form, "s",
-                           {"the way along the path, an expression in t", "l’ascissa curvilinea, un’espressione in t"}),
-            "s", QuantityKind::length);
+        law(file_.required(form, "s", {lang::point_motion::the_way_along_the_path}), "s", QuantityKind::length);
     }
 }
 
@@ -78,9 +75,8 @@ StatedLaw PointMotionSection::read_law(JsonValue value, const std::string& symbo
     if (!value) return law;
     law.where = value.pointer();
     if (!value.is_string() && !value.is_number()) {
-        file_.wrong(value, of == QuantityKind::time
-                               ? an_expression()
-                               : Words("an expression in x, as \"x^2/p\"", "un’espressione in x, come \"x^2/p\""));
+        file_.wrong(value,
+                    of == QuantityKind::time ? an_expression() : Words(lang::point_motion::an_expression_in_x_as_x));
         return law;
     }
     law.text = value.text();
@@ -96,10 +92,8 @@ StatedLaw PointMotionSection::read_law(JsonValue value, const std::string& symbo
 }
 
 void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
-    if (!file_.expect(value, Kind::object,
-                      {"{\"y\": …}, {\"circle\": …} or {\"line\": …}", "{\"y\": …}, {\"circle\": …} o {\"line\": …}"}))
-        return;
-    const Members form = file_.members(value, {"y", "circle", "line", "start"}, {"a path", "una traiettoria"});
+    if (!file_.expect(value, Kind::object, {lang::point_motion::y_circle_or_line})) return;
+    const Members form = file_.members(value, {"y", "circle", "line", "start"}, {lang::point_motion::a_path});
     const JsonValue kind = file_.one_of(form, {"y", "circle", "line"});
     if (!kind) return;
     const JsonValue start = form["start"];
@@ -111,28 +105,22 @@ void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
     } else if (kind.key() == "circle") {
         CirclePath path;
         if (start) path.start = file_.quantity_or_zero(start, QuantityKind::angle);
-        if (!file_.expect(kind, Kind::object,
-                          {"{\"centre\": [x, y], \"radius\": …}", "{\"centre\": [x, y], \"radius\": …}"}))
-            return;
-        const Members circle = file_.members(kind, {"centre", "radius"}, {"a circle", "una circonferenza"});
-        path.centre = file_.vector(circle["centre"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"})
-                          .value_or(Vector{});
-        path.radius =
-            file_.positive(file_.required(circle, "radius", {"the circle's radius", "il raggio della circonferenza"}),
-                           QuantityKind::length, {"a radius", "un raggio"});
+        if (!file_.expect(kind, Kind::object, {lang::point_motion::centre_x_y_radius})) return;
+        const Members circle = file_.members(kind, {"centre", "radius"}, {lang::point_motion::a_circle});
+        path.centre =
+            file_.vector(circle["centre"], QuantityKind::length, {lang::point_motion::a_place_x_y}).value_or(Vector{});
+        path.radius = file_.positive(file_.required(circle, "radius", {lang::point_motion::the_circle_radius}),
+                                     QuantityKind::length, {lang::point_motion::a_radius});
         problem.path = path;
     } else {
-        if (start)
-            file_.fault(start, {"a line starts where it is \"from\"; take \"start\" out",
-                                "una retta parte da \"from\"; togliere \"start\""});
-        if (!file_.expect(kind, Kind::object, {"{\"from\": [x, y], \"along\": X}", "{\"from\": [x, y], \"along\": X}"}))
-            return;
-        const Members line = file_.members(kind, {"from", "along"}, {"a line", "una retta"});
+        if (start) file_.fault(start, {lang::point_motion::a_line_starts});
+        if (!file_.expect(kind, Kind::object, {lang::point_motion::from_x_y_along_x})) return;
+        const Members line = file_.members(kind, {"from", "along"}, {lang::point_motion::a_line});
         LinePath path;
         path.from =
-            file_.vector(line["from"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"}).value_or(Vector{});
-        path.direction = own_direction(file_.required(
-            line, "along", {"its direction, an angle or [dx, dy]", "la sua direzione, un angolo o [dx, dy]"}));
+            file_.vector(line["from"], QuantityKind::length, {lang::point_motion::a_place_x_y}).value_or(Vector{});
+        path.direction =
+            own_direction(file_.required(line, "along", {lang::point_motion::its_direction_an_angle_or_dx}));
         problem.path = path;
     }
 }
@@ -144,10 +132,8 @@ Vector PointMotionSection::own_direction(JsonValue value) {
 }
 
 void PointMotionSection::read_times(const Members& form, PointProblem& problem) {
-    const JsonValue at =
-        file_.required(form, "at", {"the instant that is looked at, a time", "l’istante considerato, un tempo"});
-    const JsonValue to = file_.required(
-        form, "to", {"the time up to which the motion is followed", "il tempo fino al quale si segue il moto"});
+    const JsonValue at = file_.required(form, "at", {lang::point_motion::the_instant_that_is_looked});
+    const JsonValue to = file_.required(form, "to", {lang::point_motion::the_time_up});
     problem.at = file_.quantity_or_zero(at, QuantityKind::time);
     problem.from = form["from"] ? file_.quantity_or_zero(form["from"], QuantityKind::time) : Exact();
     problem.to = file_.quantity_or_zero(to, QuantityKind::time);
@@ -155,13 +141,11 @@ void PointMotionSection::read_times(const Members& form, PointProblem& problem) 
     problem.where_at = at.pointer();
     problem.where_from = form["from"] ? form["from"].pointer() : to.pointer();
     if (problem.from >= problem.to) {
-        file_.fault(to, {"the interval must end after it begins; \"to\" is later than \"from\"",
-                         "l’intervallo deve finire dopo il suo inizio; \"to\" è dopo \"from\""});
+        file_.fault(to, {lang::point_motion::the_interval_must_end_after});
         return;
     }
     if (problem.at < problem.from || problem.at > problem.to)
-        file_.fault(at, {"the instant lies outside \"from\" … \"to\"; move it, or widen the interval",
-                         "l’istante è fuori da \"from\" … \"to\"; spostarlo, o allargare l’intervallo"});
+        file_.fault(at, {lang::point_motion::the_instant_lies_outside});
 }
 
 }  // namespace kinegraph

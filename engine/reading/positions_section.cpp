@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/drawing/pose.hpp"
+#include "lang/keys/finite_positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -20,21 +21,15 @@ Words length_words(double si, const KnownUnit& unit) {
     const auto end = std::to_chars(text.data(), text.data() + text.size(), si / unit.si.to_double(),
                                    std::chars_format::general, digits)
                          .ptr;
-    std::string value(text.data(), end);
-    value += " " + std::string(unit.symbol);
-    std::string with_comma = value;
-    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-    return {value, with_comma};
+    return decimal_words(std::string(text.data(), end) + " " + std::string(unit.symbol));
 }
 
 }  // namespace
 
 std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
-    const Words wanted("two or three positions {\"A\": [x, y], \"B\": [x, y]}",
-                       "due o tre posizioni {\"A\": [x, y], \"B\": [x, y]}");
+    const Words wanted(lang::finite_positions::two_or_three_positions_a_x);
     if (section.size() != 2 && section.size() != 3) {
-        file_.fault(section, {"two positions of a body, or three; {0} are given",
-                              "due posizioni di un corpo, o tre; ne sono date {0}", std::to_string(section.size())});
+        file_.fault(section, {lang::finite_positions::two_positions_of_a_body, std::to_string(section.size())});
         return std::nullopt;
     }
     PositionsProblem problem;
@@ -44,8 +39,7 @@ std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
         if (!file_.expect(position, Kind::object, wanted)) return std::nullopt;
         if (problem.positions.empty()) {
             if (position.size() != 2) {
-                file_.fault(position, {"the first position gives the places of two points; {0} are given",
-                                       "la prima posizione dà i luoghi di due punti; ne sono dati {0}",
+                file_.fault(position, {lang::finite_positions::the_first_position_gives_the_places,
                                        std::to_string(position.size())});
                 return std::nullopt;
             }
@@ -64,11 +58,12 @@ std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
 void PositionsSection::read_position(JsonValue value, PositionsProblem& problem) {
     const bool first = problem.positions.empty();
     const Members form =
-        first ? file_.members(value, {problem.points[0], problem.points[1]}, {"a position", "una posizione"})
-              : file_.members(value, {problem.points[0], problem.points[1], "turned"}, {"a position", "una posizione"});
+        first ? file_.members(value, {problem.points[0], problem.points[1]}, {lang::finite_positions::a_position})
+              : file_.members(value, {problem.points[0], problem.points[1], "turned"},
+                              {lang::finite_positions::a_position});
     PositionsProblem::Position position;
     position.where = value.pointer();
-    const Words place("a place [x, y]", "un luogo [x, y]");
+    const Words place(lang::finite_positions::a_place_x_y);
     position.places[0] =
         file_.vector(file_.required(form, problem.points[0], place), QuantityKind::length, place).value_or(Vector{});
     const JsonValue second =
@@ -89,8 +84,7 @@ void PositionsSection::read_position(JsonValue value, PositionsProblem& problem)
         if (!first) keep_distance(second, problem, position);
     }
     if (first && position.places[0] == position.places[1])
-        file_.fault(value, {"both points lie at the same place; they must lie apart",
-                            "i due punti coincidono; devono essere distinti"});
+        file_.fault(value, {lang::finite_positions::both_points_lie_at_the_same});
     problem.positions.push_back(std::move(position));
 }
 
@@ -105,11 +99,8 @@ void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& probl
     if (arm.is_zero() || std::abs(here - there) > rounded_away * there) {
         const KnownUnit& unit = file_.bare_unit(QuantityKind::length);
         const auto said = [&](double si) { return length_words(si, unit); };
-        file_.fault(at, {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; "
-                         "correct one, or give \"turned\"",
-                         "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; "
-                         "correggere, o dare \"turned\"",
-                         problem.points[0], problem.points[1], said(here), said(there)});
+        file_.fault(at, {lang::finite_positions::a_rigid_body_keeps_distances_here, problem.points[0],
+                         problem.points[1], said(here), said(there)});
         return;
     }
     position.places[1] = position.places[0] + square_root(wanted / squared_length(arm), 200).value * arm;

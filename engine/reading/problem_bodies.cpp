@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/problems.hpp"
 
 #include <string>
 #include <utility>
@@ -17,12 +18,11 @@ BodyIndex ProblemBodies::body(JsonValue member) {
 }
 
 std::array<JsonValue, 2> ProblemBodies::two(const Members& section) {
-    const Words wanted("an object of two bodies by name", "un oggetto con due corpi per nome");
+    const Words wanted(lang::problems::an_object_of_two_bodies);
     const JsonValue bodies = file_.required(section, "bodies", wanted);
     if (!bodies || !file_.expect(bodies, Kind::object, wanted)) return {};
     if (bodies.size() != 2) {
-        file_.fault(bodies, {"two bodies touch; {0} are given", "si toccano due corpi; ne sono dati {0}",
-                             std::to_string(bodies.size())});
+        file_.fault(bodies, {lang::problems::two_bodies_touch_are_given, std::to_string(bodies.size())});
         return {};
     }
     return {*bodies.begin(), *++bodies.begin()};

@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/problems.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,8 +36,8 @@ std::shared_ptr<const Problem> ProblemSection::read(const Members& file) {
             file_.not_together(file[key], section.key());
     }
     if (section.key() == "positions") {
-        if (!file_.expect(section, Kind::array, {"an array of positions", "un array di posizioni"})) return nullptr;
-    } else if (!file_.expect(section, Kind::object, {"an object", "un oggetto"})) {
+        if (!file_.expect(section, Kind::array, {lang::problems::an_array_of_positions})) return nullptr;
+    } else if (!file_.expect(section, Kind::object, {lang::problems::an_object})) {
         return nullptr;
     }
     const auto shared = [](auto problem) -> std::shared_ptr<const Problem> {

@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/joints.hpp"
 
 #include <variant>
 
@@ -14,8 +15,7 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
     if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
     bool complete = joint.bodies.size() == 2 && joint.bodies[0] != none && joint.bodies[1] != none;
     if (shape) {
-        if (!file_.expect(shape, Kind::object, {"an object of profiles by body", "un oggetto con i profili per corpo"}))
-            return;
+        if (!file_.expect(shape, Kind::object, {lang::joints::an_object_of_profiles_by_body})) return;
         for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
     }
     if (!complete) return;
@@ -25,17 +25,11 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
         const Body& owner = mechanism_.body(on);
         if (owner.circle) {
             if (owner.circle->centre == joint.point && joint.point != none) {
-                file_.fault(place,
-                            {"the circle of body {0} has its centre at the contact itself",
-                             "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
+                file_.fault(place, {lang::joints::the_circle_of_body, quoted(owner.name)});
             }
             joint.profiles.emplace(on, CircleProfile{owner.circle->centre, true});
         } else {
-            file_.fault(place, {"the profile of body {0} is missing: give it under \"profiles\", or the body a "
-                                "\"circle\", or the joint a \"tangent\"",
-                                "manca il profilo del corpo {0}: assegnarlo in \"profiles\", o dare al corpo un "
-                                "\"circle\", o alla coppia una \"tangent\"",
-                                quoted(owner.name)});
+            file_.fault(place, {lang::joints::the_profile_of_body_is_missing, quoted(owner.name)});
             complete = false;
         }
     }
@@ -43,15 +37,10 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
     const Profile& first = joint.profiles.at(joint.bodies[0]);
     const Profile& second = joint.profiles.at(joint.bodies[1]);
     if (std::holds_alternative<LineProfile>(first) && std::holds_alternative<LineProfile>(second)) {
-        file_.fault(
-            place, {"two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile",
-                    "due rette non fanno un contatto: si toccano ovunque o in nessun punto; uno dei corpi ha un altro "
-                    "profilo"});
+        file_.fault(place, {lang::joints::two_lines_are_no_contact_they});
     }
     if (std::holds_alternative<TipProfile>(first) && std::holds_alternative<TipProfile>(second)) {
-        file_.fault(place,
-                    {"two tips are no contact: they have no common tangent; one of the bodies has another profile",
-                     "due punte non fanno un contatto: non hanno tangente comune; uno dei corpi ha un altro profilo"});
+        file_.fault(place, {lang::joints::two_tips_are_no_contact_they});
     }
 }
 
@@ -59,16 +48,12 @@ bool ProfilesOfContact::read_profile(JsonValue member, Joint& joint) {
     const BodyIndex on = file_.look_up_body(member, member.key());
     if (on != none && !joint.connects(on)) {
         if (!joint.connects(none)) {
-            file_.fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia",
-                                 quoted(member.key())});
+            file_.fault(member, {lang::joints::the_body_is_not, quoted(member.key())});
         }
         return false;
     }
-    if (!file_.expect(member, Kind::object,
-                      {"a profile, {\"line\": …}, {\"circle\": …} or {\"tip\": true},",
-                       "un profilo, {\"line\": …}, {\"circle\": …} o {\"tip\": true},"}))
-        return false;
-    const Members form = file_.members(member, {"line", "circle", "tip"}, {"a profile", "un profilo"});
+    if (!file_.expect(member, Kind::object, {lang::joints::a_profile_line_circle_or_tip})) return false;
+    const Members form = file_.members(member, {"line", "circle", "tip"}, {lang::joints::a_profile});
     const JsonValue shape = file_.one_of(form, {"line", "circle", "tip"});
     if (!shape) return false;
     if (shape.key() == "line") {
@@ -78,12 +63,11 @@ bool ProfilesOfContact::read_profile(JsonValue member, Joint& joint) {
     } else if (shape.key() == "circle") {
         const PointIndex centre = file_.point(shape);
         if (centre != none && centre == joint.point)
-            file_.fault(shape, {"a circle about the contact itself has no radius; name its centre",
-                                "una circonferenza attorno al contatto stesso non ha raggio; indicarne il centro"});
+            file_.fault(shape, {lang::joints::a_circle_about_the_contact_itself});
         joint.profiles.emplace(on, CircleProfile{centre});
     } else {
         if (!is_true(shape)) {
-            file_.fault(shape, {"a tip is {\"tip\": true}", "una punta è {\"tip\": true}"});
+            file_.fault(shape, {lang::joints::a_tip_is_tip_true});
             return false;
         }
         joint.profiles.emplace(on, TipProfile{});

@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/reye.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
     const auto read_members = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> names{"kind", "force", "friction", "wear", "time"};
         names.insert(names.end(), own.begin(), own.end());
-        return file_.members(section, std::span<const std::string_view>(names), {"\"reye\"", "\"reye\""});
+        return file_.members(section, std::span<const std::string_view>(names), {lang::reye::reye});
     };
     const bool slides = problem.kind == ReyeProblem::Kind::pad || problem.kind == ReyeProblem::Kind::block;
     const Members form =
@@ -28,30 +29,23 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
         : problem.kind == ReyeProblem::Kind::disc
             ? read_members({"inner", "outer", "surfaces", "omega"})
             : read_members({"radius", "width", "pivot", "arm", "from", "to", "inside", "sense", "omega"});
-    problem.force = file_.positive(file_.required(form, "force", {"the force that presses", "la forza che preme"}),
-                                   QuantityKind::force, {"the force", "la forza"});
-    if (!slides)
-        file_.required(
-            form, "friction",
-            {"the coefficient of friction, which makes the torque", "il coefficiente d’attrito, che dà il momento"});
+    problem.force = file_.positive(file_.required(form, "force", {lang::reye::the_force_that_presses}),
+                                   QuantityKind::force, {lang::reye::the_force});
+    if (!slides) file_.required(form, "friction", {lang::reye::the_coefficient_of_friction_which_makes});
     if (const JsonValue friction = form["friction"]) {
         problem.friction = file_.bare_number(friction).value_or(Exact(1));
-        if (problem.friction->sign() <= 0)
-            file_.fault(friction, {"the coefficient of friction must be greater than zero",
-                                   "il coefficiente d’attrito deve essere maggiore di zero"});
+        if (problem.friction->sign() <= 0) file_.fault(friction, {lang::reye::the_coefficient_of_friction_must});
     }
     const std::string_view speed = slides ? "speed" : "omega";
     const std::initializer_list<std::string_view> of_wear{"wear", speed, "time"};
     if (std::any_of(of_wear.begin(), of_wear.end(), [&](std::string_view key) { return bool(form[key]); })) {
-        const Words needs("the depth worn off needs \"wear\", {0} and \"time\"",
-                          "la profondità d’usura richiede \"wear\", {0} e \"time\"", quoted(speed));
+        const Words needs(lang::reye::the_depth_worn_off_needs_wear, quoted(speed));
         problem.wear = file_.positive(file_.required(form, "wear", needs), QuantityKind::wear,
-                                      {"the coefficient of wear", "il coefficiente d’usura"});
-        problem.speed = file_.positive(file_.required(form, speed, needs),
-                                       slides ? QuantityKind::velocity : QuantityKind::angular_velocity,
-                                       {"the speed", "la velocità"});
-        problem.time =
-            file_.positive(file_.required(form, "time", needs), QuantityKind::time, {"the time", "la durata"});
+                                      {lang::reye::the_coefficient_of_wear});
+        problem.speed =
+            file_.positive(file_.required(form, speed, needs),
+                           slides ? QuantityKind::velocity : QuantityKind::angular_velocity, {lang::reye::the_speed});
+        problem.time = file_.positive(file_.required(form, "time", needs), QuantityKind::time, {lang::reye::the_time});
     }
     if (slides)
         read_pad(form, problem);
@@ -68,11 +62,10 @@ std::optional<ReyeProblem::Kind> ReyeSection::read_kind(JsonValue section) {
                                std::pair{std::string_view("disc"), ReyeProblem::Kind::disc},
                                std::pair{std::string_view("collar"), ReyeProblem::Kind::disc},
                                std::pair{std::string_view("shoe"), ReyeProblem::Kind::shoe}};
-    const Words wanted("\"pad\", \"block\", \"disc\", \"collar\" or \"shoe\"",
-                       "\"pad\", \"block\", \"disc\", \"collar\" o \"shoe\"");
+    const Words wanted(lang::reye::pad_block_disc_collar_or_shoe);
     const JsonValue kind = section["kind"];
     if (!kind) {
-        file_.fault(section, {"\"kind\" is missing: {0}", "manca \"kind\": {0}", wanted});
+        file_.fault(section, {lang::reye::kind_is_missing, wanted});
         return std::nullopt;
     }
     const auto* found = std::find_if(kinds.begin(), kinds.end(),
@@ -85,74 +78,59 @@ std::optional<ReyeProblem::Kind> ReyeSection::read_kind(JsonValue section) {
 }
 
 void ReyeSection::read_pad(const Members& form, ReyeProblem& problem) {
-    problem.length = file_.positive(
-        file_.required(form, "length",
-                       {"the pad’s length along the sliding", "la lunghezza del pattino lungo lo strisciamento"}),
-        QuantityKind::length, {"the length", "la lunghezza"});
-    problem.width = file_.positive(file_.required(form, "width", {"the pad’s width", "la larghezza del pattino"}),
-                                   QuantityKind::length, {"the width", "la larghezza"});
+    problem.length = file_.positive(file_.required(form, "length", {lang::reye::the_pad_length_along_the_sliding}),
+                                    QuantityKind::length, {lang::reye::the_length});
+    problem.width = file_.positive(file_.required(form, "width", {lang::reye::the_pad_width}), QuantityKind::length,
+                                   {lang::reye::the_width});
     if (problem.kind == ReyeProblem::Kind::block) return;
-    const JsonValue offset = file_.required(
-        form, "offset", {"how far from its end the force acts", "a quale distanza dal suo estremo agisce la forza"});
+    const JsonValue offset = file_.required(form, "offset", {lang::reye::how_far_from_its_end});
     problem.offset = file_.quantity_or_zero(offset, QuantityKind::length);
     if (offset && (problem.offset.sign() <= 0 || problem.offset >= problem.length))
-        file_.fault(offset,
-                    {"the force must act over the pad, between 0 and its length; beyond, the pad tips over",
-                     "la forza deve cadere sul pattino, fra 0 e la sua lunghezza; oltre, il pattino si ribalta"});
+        file_.fault(offset, {lang::reye::the_force_must_act_over});
 }
 
 void ReyeSection::read_disc(const Members& form, ReyeProblem& problem) {
-    const Words radius("a radius", "un raggio");
-    const JsonValue inner = file_.required(form, "inner", {"the inner radius", "il raggio interno"});
+    const Words radius(lang::reye::a_radius);
+    const JsonValue inner = file_.required(form, "inner", {lang::reye::the_inner_radius});
     problem.inner = file_.positive(inner, QuantityKind::length, radius);
-    problem.outer = file_.positive(file_.required(form, "outer", {"the outer radius", "il raggio esterno"}),
-                                   QuantityKind::length, radius);
+    problem.outer =
+        file_.positive(file_.required(form, "outer", {lang::reye::the_outer_radius}), QuantityKind::length, radius);
     if (inner && form["outer"] && problem.inner >= problem.outer)
-        file_.fault(inner, {"the inner radius must be less than the outer one",
-                            "il raggio interno deve essere minore di quello esterno"});
+        file_.fault(inner, {lang::reye::the_inner_radius_must_be_less});
     if (const JsonValue surfaces = form["surfaces"]) {
         const Exact count = file_.bare_number(surfaces).value_or(Exact(1));
         constexpr int most = 1000;
         if (!is_whole_number(surfaces) || count.sign() <= 0 || count > Exact(most))
-            file_.fault(surfaces, {"the number of rubbing surfaces is a whole number from 1 to 1000",
-                                   "il numero di superfici è un intero da 1 a 1000"});
+            file_.fault(surfaces, {lang::reye::the_number_of_rubbing_surfaces});
         else
             problem.surfaces = static_cast<int>(count.to_double());
     }
 }
 
 void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
-    const Words length("a length", "una lunghezza");
-    problem.radius = file_.positive(file_.required(form, "radius", {"the drum’s radius", "il raggio del tamburo"}),
-                                    QuantityKind::length, {"a radius", "un raggio"});
-    problem.width = file_.positive(file_.required(form, "width", {"the shoe’s width", "la larghezza del ceppo"}),
-                                   QuantityKind::length, length);
-    const JsonValue pivot = file_.required(
-        form, "pivot",
-        {"the distance of the pivot from the drum’s centre", "la distanza della cerniera dal centro del tamburo"});
+    const Words length(lang::reye::a_length);
+    problem.radius = file_.positive(file_.required(form, "radius", {lang::reye::the_drum_radius}), QuantityKind::length,
+                                    {lang::reye::a_radius});
+    problem.width =
+        file_.positive(file_.required(form, "width", {lang::reye::the_shoe_width}), QuantityKind::length, length);
+    const JsonValue pivot = file_.required(form, "pivot", {lang::reye::the_distance_of_the_pivot});
     problem.pivot = file_.positive(pivot, QuantityKind::length, length);
-    problem.arm = file_.positive(
-        file_.required(form, "arm",
-                       {"the arm of the force about the pivot", "il braccio della forza rispetto alla cerniera"}),
-        QuantityKind::length, length);
-    const Words end("the angle from the pivot to an end of the shoe", "l’angolo dalla cerniera a un estremo del ceppo");
+    problem.arm =
+        file_.positive(file_.required(form, "arm", {lang::reye::the_arm_of_the_force}), QuantityKind::length, length);
+    const Words end(lang::reye::the_angle_from_the_pivot);
     const JsonValue to = file_.required(form, "to", end);
     problem.from = file_.quantity_or_zero(file_.required(form, "from", end), QuantityKind::angle);
     problem.to = file_.quantity_or_zero(to, QuantityKind::angle);
     if (to && form["from"] && (problem.from.sign() < 0 || problem.to <= problem.from || problem.to > pi()))
-        file_.fault(to, {"a shoe reaches from an angle not less than 0° to a larger one, at most 180°; beyond it would "
-                         "part from the drum",
-                         "un ceppo va da un angolo non minore di 0° a uno maggiore, al più 180°; oltre si staccherebbe "
-                         "dal tamburo"});
-    if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {"true or false", "true o false"})) {
+        file_.fault(to, {lang::reye::a_shoe_reaches_from_an_angle});
+    if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::reye::true_or_false})) {
         problem.inside = is_true(form["inside"]);
         if (problem.inside && pivot && problem.pivot >= problem.radius)
-            file_.fault(pivot, {"the pivot of an inner shoe lies within the drum",
-                                "la cerniera di un ceppo interno sta dentro il tamburo"});
+            file_.fault(pivot, {lang::reye::the_pivot_of_an_inner_shoe});
     }
     if (const JsonValue sense = form["sense"]) {
         if (!sense.is_string() || (sense.text() != "leading" && sense.text() != "trailing"))
-            file_.wrong(sense, {"\"leading\" or \"trailing\"", "\"leading\" o \"trailing\""});
+            file_.wrong(sense, {lang::reye::leading_or_trailing});
         problem.leading = sense.text() != "trailing";
     }
 }

@@ -9,6 +9,7 @@
 
 #include "engine/file/scale_text.hpp"
 #include "engine/file/units.hpp"
+#include "lang/keys/units.hpp"
 
 namespace kinegraph {
 
@@ -25,12 +26,11 @@ void UnitsSection::read_units(JsonValue units) {
         std::pair{std::string_view("inertia"), QuantityKind::inertia},
         std::pair{std::string_view("pressure"), QuantityKind::pressure},
     };
-    if (units && file_.expect(units, Kind::object,
-                              {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
+    if (units && file_.expect(units, Kind::object, {lang::units::an_object_of_units_by_quantity})) {
         const Members set = file_.members(units,
                                           {"length", "angle", "angular velocity", "velocity", "acceleration", "mass",
                                            "force", "moment", "inertia", "pressure"},
-                                          {"\"units\"", "\"units\""});
+                                          {lang::units::units});
         for (const auto& [key, kind] : kinds) {
             if (set[key]) read_unit(set[key], kind);
         }
@@ -46,9 +46,7 @@ void UnitsSection::read_units(JsonValue units) {
 }
 
 void UnitsSection::read_scales(JsonValue value) {
-    if (!value ||
-        !file_.expect(value, Kind::object, {"an object of scales by figure", "un oggetto con le scale per figura"}))
-        return;
+    if (!value || !file_.expect(value, Kind::object, {lang::units::an_object_of_scales_by_figure})) return;
     constexpr std::array figures{
         std::pair{std::string_view("mechanism"), QuantityKind::length},
         std::pair{std::string_view("centres"), QuantityKind::length},
@@ -60,15 +58,14 @@ void UnitsSection::read_scales(JsonValue value) {
     };
     const Members form =
         file_.members(value, {"mechanism", "centres", "velocity", "acceleration", "body", "forces", "closure"},
-                      {"\"scales\"", "\"scales\""});
+                      {lang::units::scales});
     for (const auto& [figure, kind] : figures) {
         const JsonValue scale = form[figure];
         if (!scale) continue;
-        auto per_millimetre = scale.is_string()
-                                  ? read_scale(scale.text(), kind)
-                                  : tl::expected<Exact, Words>(tl::make_unexpected(
-                                        Words("a scale{0} is wanted here, not {1}", "qui serve una scala{0}, non {1}",
-                                              scale_example(kind), described(scale))));
+        auto per_millimetre =
+            scale.is_string() ? read_scale(scale.text(), kind)
+                              : tl::expected<Exact, Words>(tl::make_unexpected(Words(
+                                    lang::units::a_scale_is_wanted_here_not, scale_example(kind), described(scale))));
         if (per_millimetre) {
             mechanism_.scales.push_back({std::string(figure), std::move(*per_millimetre), scale.pointer()});
         } else {
@@ -83,14 +80,13 @@ void UnitsSection::read_scales(JsonValue value) {
 }
 
 void UnitsSection::read_unit(JsonValue value, QuantityKind kind) {
-    if (!file_.expect(value, Kind::string, {"a unit", "un’unità"})) return;
+    if (!file_.expect(value, Kind::string, {lang::units::a_unit})) return;
     const KnownUnit* unit = unit_spelt(value.text());
     if (unit == nullptr) {
         file_.fault(value, unknown_unit_message(value.text(), kind));
     } else if (unit->kind != kind) {
-        file_.fault(
-            value, {"{0} is a unit of {1}; the units of {2} are {3}", "{0} è un’unità di {1}; le unità di {2} sono {3}",
-                    quoted(value.text()), name_of(unit->kind), name_of(kind), units_of(kind)});
+        file_.fault(value, {lang::units::is_a_unit_of_the_units, quoted(value.text()), name_of(unit->kind),
+                            name_of(kind), units_of(kind)});
     } else {
         file_.measure_bare_numbers_in(*unit);
     }

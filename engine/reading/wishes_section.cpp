@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/wishes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,38 +38,29 @@ void WishesSection::read_wish(JsonValue value) {
             return;
         }
         const auto meant = file_.speller().nearest(value.text(), wishes);
-        file_.fault(value, {"{0} is nothing to find{1}", "{0} non è cosa da trovare{1}", quoted(value.text()),
-                            meant ? did_you_mean(meant)
-                                  : Words("; what can be found is {0} and {\"relative motion\": …}",
-                                          "; si può trovare {0} e {\"relative motion\": …}", listed(wishes))});
+        file_.fault(value, {lang::wishes::is_nothing_to_find, quoted(value.text()),
+                            meant ? did_you_mean(meant) : Words(lang::wishes::what_can_be_found, listed(wishes))});
         return;
     }
-    if (!file_.expect(value, Kind::object,
-                      {"a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},",
-                       "una richiesta, come \"velocity\" o {\"relative motion\": …, \"observer\": …},"}))
-        return;
+    if (!file_.expect(value, Kind::object, {lang::wishes::a_wish_as_velocity_or_relative})) return;
     if (is_cut(value)) {
-        file_.members(value, {"cut"}, {"a cut", "una sezione"});
+        file_.members(value, {"cut"}, {lang::wishes::a_cut});
         for (const JsonValue member : value)
-            if (member.key() == "cut" &&
-                file_.expect(member, Kind::array, {"an array of three bars", "un array di tre aste"}))
+            if (member.key() == "cut" && file_.expect(member, Kind::array, {lang::wishes::an_array_of_three_bars}))
                 cuts_.push_back(member);
         find.forces = true;
         return;
     }
-    const Members form = file_.members(value, {"relative motion", "observer", "solve"}, {"a wish", "una richiesta"});
+    const Members form = file_.members(value, {"relative motion", "observer", "solve"}, {lang::wishes::a_wish});
     RelativeMotionQuery query;
     query.where = value.pointer();
-    query.point = file_.point(file_.required(
-        form, "relative motion", {"the point whose motion is observed", "il punto di cui si osserva il moto"}));
-    const JsonValue observer = file_.required(form, "observer",
-                                              {"the body that carries the observer, or {\"translating with\": Q}",
-                                               "il corpo solidale all’osservatore, o {\"translating with\": Q}"});
+    query.point =
+        file_.point(file_.required(form, "relative motion", {lang::wishes::the_point_whose_motion_is_observed}));
+    const JsonValue observer = file_.required(form, "observer", {lang::wishes::the_body_that_carries_the_observer});
     if (observer && observer.is_object()) {
-        const Members translating = file_.members(observer, {"translating with"}, {"an observer", "un osservatore"});
+        const Members translating = file_.members(observer, {"translating with"}, {lang::wishes::an_observer});
         query.translating_with = file_.point(
-            file_.required(translating, "translating with",
-                           {"the point that carries the observer", "il punto con cui trasla l’osservatore"}));
+            file_.required(translating, "translating with", {lang::wishes::the_point_that_carries_the_observer}));
     } else {
         query.observer = file_.body(observer);
     }
@@ -83,24 +75,15 @@ void WishesSection::read_cuts() {
         if (truss)
             read_cut(cut, *truss);
         else
-            file_.fault(
-                cut,
-                {"only a truss can be cut: three bars or more, hinged at both ends and loaded at their pins, without "
-                 "efforts and drivers, on supports that hold it with as many reactions as it needs",
-                 "si può sezionare solo una travatura reticolare: almeno tre aste, incernierate ai due estremi e "
-                 "caricate nei nodi, senza azioni equilibranti né moventi, con tante reazioni quante ne occorrono"});
+            file_.fault(cut, {lang::wishes::only_a_truss_can_be_cut});
     }
 }
 
 void WishesSection::read_solve(JsonValue value, RelativeMotionQuery& query) {
-    if (!value || !file_.expect(value, Kind::boolean, {"true or false", "true o false"})) return;
+    if (!value || !file_.expect(value, Kind::boolean, {lang::wishes::true_or_false})) return;
     query.solves = is_true(value);
     if (query.solves && query.translating_with != none)
-        file_.fault(
-            value,
-            {"the motion is solved through an observer on a body: name one as \"observer\", or leave \"solve\" out",
-             "il moto si risolve con un osservatore solidale a un corpo: indicarlo in \"observer\", o togliere "
-             "\"solve\""});
+        file_.fault(value, {lang::wishes::the_motion_is_solved_through});
 }
 
 bool WishesSection::is_cut(JsonValue value) {
@@ -116,38 +99,25 @@ void WishesSection::read_cut(JsonValue value, const TrussStructure& truss) {
     CutQuery query;
     query.where = value.pointer();
     for (const JsonValue member : value) {
-        if (!file_.expect(member, Kind::string, {"the name of a bar", "il nome di un’asta"})) return;
+        if (!file_.expect(member, Kind::string, {lang::wishes::the_name_of_a_bar})) return;
         const int bar = truss.bar_named(mechanism_, member.text());
         if (bar < 0)
-            return file_.fault(member, {"there is no bar {0}; the bars are {1}",
-                                        "non c’è un’asta {0}; le aste sono {1}", quoted(member.text()), listed(known)});
+            return file_.fault(member, {lang::wishes::there_is_no_bar_the_bars, quoted(member.text()), listed(known)});
         if (std::find(bars.begin(), bars.end(), bar) != bars.end())
-            return file_.fault(member,
-                               {"bar {0} is cut twice; name three different bars",
-                                "l’asta {0} è nominata due volte; indicare tre aste diverse", quoted(member.text())});
+            return file_.fault(member, {lang::wishes::bar_is_cut_twice_name_three, quoted(member.text())});
         bars.push_back(bar);
         query.bars.push_back(truss.bars[static_cast<std::size_t>(bar)].body);
     }
     constexpr std::size_t needed = 3;
-    if (bars.size() != needed)
-        return file_.fault(value,
-                           {"a cut crosses three bars, for a body has three equations; name three",
-                            "una sezione incontra tre aste, tante quante le equazioni di un corpo; indicarne tre"});
+    if (bars.size() != needed) return file_.fault(value, {lang::wishes::a_cut_crosses_three_bars});
     for (std::size_t pin = 0; pin < truss.pins.size(); ++pin) {
         const auto& meeting = truss.pins[pin].bars;
         if (std::all_of(bars.begin(), bars.end(),
                         [&](int bar) { return std::find(meeting.begin(), meeting.end(), bar) != meeting.end(); }))
-            return file_.fault(
-                value, {"the bars meet in pin {0}, so that no moment gives one of them alone; cut bars that do not "
-                        "all meet",
-                        "le aste concorrono nel nodo {0}: nessun momento ne dà una sola; sezionare aste che non "
-                        "concorrono tutte",
-                        truss.name_of(mechanism_, static_cast<int>(pin))});
+            return file_.fault(value,
+                               {lang::wishes::the_bars_meet_in_pin, truss.name_of(mechanism_, static_cast<int>(pin))});
     }
-    if (sides_of_cut(truss, bars).empty())
-        return file_.fault(
-            value, {"these bars do not part the truss in two; name all bars that the section crosses",
-                    "queste aste non dividono in due la travatura; indicare tutte le aste che la sezione incontra"});
+    if (sides_of_cut(truss, bars).empty()) return file_.fault(value, {lang::wishes::these_bars_do_not_part});
     mechanism_.find.cuts.push_back(std::move(query));
 }
 

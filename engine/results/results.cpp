@@ -15,6 +15,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/solution.hpp"
+#include "lang/keys/phrases.hpp"
 
 namespace kinegraph {
 namespace {
@@ -190,7 +191,7 @@ private:
 Members values_of(const ProblemSolution& found) {
     Members members;
     for (const ProblemValue& each : found.values)
-        if (each.in_file) members.emplace_back(each.name.en, number(each.value));
+        if (each.in_file) members.emplace_back(in_english(each.name), number(each.value));
     return members;
 }
 
@@ -358,10 +359,10 @@ private:
         Entry body = entry();
         if (found.kind == Curvature::Kind::translation) {
             body.add("translation", std::string("true"));
-            body.add("reason", reason({Sentence::body_translates, {}}));
+            body.add("reason", reason({lang::phrases::body_translates, {}}));
         }
-        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
-        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
+        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({lang::phrases::pole_at_rest, {}}));
+        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({lang::phrases::body_at_rest, {}}));
         if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
         if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
         if (found.inflection_centre) {
@@ -394,7 +395,8 @@ private:
                 each.add("radius", number(length(centre - solution_.pose.at(path.point))));
             } else {
                 each.add("radius", std::string("null"));
-                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
+                each.add("reason",
+                         reason({path.centre ? lang::phrases::path_straight : lang::phrases::point_at_rest, {}}));
             }
             points.emplace_back(name_of_point(path.point), std::move(each).json());
         }
@@ -635,7 +637,8 @@ private:
     void add_checks_of_contacts(std::vector<std::string>& all) const {
         for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of))
             for (const ProblemValue& each : contact.found->values)
-                all.push_back(check_row("hertz " + mechanism_.joint(contact.joint).name + " " + each.name.en, each));
+                all.push_back(
+                    check_row("hertz " + mechanism_.joint(contact.joint).name + " " + in_english(each.name), each));
     }
 
     std::string unsolved() const {
@@ -660,7 +663,7 @@ private:
         std::vector<std::string> all;
         for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
         if (solution_.problem)
-            for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(remark.en));
+            for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(in_english(remark)));
         return lines('[', all, ']');
     }
 };
@@ -678,7 +681,7 @@ public:
         file.emplace_back("unsolved", "[]");
         if (!found_.remarks.empty()) {
             std::vector<std::string> all;
-            for (const Words& each : found_.remarks) all.push_back(quoted(each.en));
+            for (const Words& each : found_.remarks) all.push_back(quoted(in_english(each)));
             file.emplace_back("remarks", lines('[', all, ']'));
         }
         std::string text = "{";
@@ -786,7 +789,7 @@ private:
     std::string checks() const {
         std::vector<std::string> all;
         for (const ProblemValue& each : found_.values)
-            if (each.numeric) all.push_back(check_row(each.name.en, each));
+            if (each.numeric) all.push_back(check_row(in_english(each.name), each));
         return lines('[', all, ']');
     }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/file/units.hpp"
-#include "engine/file/words.hpp"
 #include "engine/sentences/quantity.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph {
 

@@ -5,8 +5,12 @@
 #include <string_view>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/phrases.hpp"
 
 namespace kinegraph {
+
+bool is_phrase(const Key& sentence) { return sentence.section == &lang::phrases_section; }
+
 namespace {
 
 std::string lower_case(std::string_view name) {

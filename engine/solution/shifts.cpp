@@ -1,4 +1,5 @@
 #include "engine/solution/shifts.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
 namespace {
@@ -20,7 +21,7 @@ std::optional<Exact> couple_on(const Solution& solution, const std::vector<BodyI
 
 std::optional<Vector> shift_of(const Solution& solution, StatementIndex statement, const AppliedForce& sum) {
     const Statement& said = solution.protocol.statements[at_index(statement)];
-    if (said.message.sentence != Sentence::inertia_moved || sum.force.is_zero()) return std::nullopt;
+    if (said.message.sentence != lang::sentences::inertia_moved || sum.force.is_zero()) return std::nullopt;
     if (std::get<Symbol>(said.message.arguments[1]) != sum.symbol) return std::nullopt;
     const auto couple = couple_on(solution, said.bodies, std::get<Symbol>(said.message.arguments[2]));
     if (!couple) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/pages.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -111,14 +112,13 @@ tl::expected<Picture, Words> decode_png(std::string_view bytes) {
     const auto failed = [&image] {
         const std::string why = image.message;
         png_image_free(&image);
-        return tl::unexpected(Words("is no PNG that can be read: {0}", "non è un PNG leggibile: {0}", why));
+        return tl::unexpected(Words(lang::pages::is_no_png, why));
     };
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return failed();
     if (image.width > 65535 || image.height > 65535 || std::size_t{image.width} * image.height > most_pixels) {
         const std::string size = std::to_string(image.width) + " × " + std::to_string(image.height);
         png_image_free(&image);
-        return tl::unexpected(Words("has {0} pixels; 72 million are the most, and 65535 in a row or column",
-                                    "ha {0} pixel; al massimo sono 72 milioni, e 65535 in una riga o colonna", size));
+        return tl::unexpected(Words(lang::pages::has_pixels_72_million, size));
     }
     static_assert(sizeof(Colour) == 3, "pixels are decoded in place");
     Picture picture;

@@ -10,7 +10,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 #include "render/page/page.hpp"
 
 namespace kinegraph::render {

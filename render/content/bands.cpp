@@ -9,6 +9,8 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sentences.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
@@ -51,54 +53,57 @@ public:
         switch (part.kind) {
             case Kind::bodies:
                 if (!made_.bodies) made_.bodies.emplace(context_);
-                return under("bodies", made_.bodies->lines(measure_));
+                return under(lang::sheet::bodies, made_.bodies->lines(measure_));
             case Kind::mobility:
                 // For a single body no degrees of freedom are counted.
-                return under(solution_.instantaneous_motion ? "conventions" : "mobility", conventions());
+                return under(solution_.instantaneous_motion ? lang::sheet::conventions : lang::sheet::mobility,
+                             conventions());
             case Kind::centres:
                 if (!made_.centres) made_.centres.emplace(context_);
-                return under("instant centres", made_.centres->lines(measure_),
+                return under(lang::sheet::instant_centres, made_.centres->lines(measure_),
                              one_piece(solution_.mechanism.units.length.symbol));
             case Kind::steps: {
                 const Topic section = solution_.protocol.statements[part.which.front()].section;
-                return under("steps " + std::string(name_of(section)), steps(part.which));
+                return under(steps_heading(section), steps(part.which));
             }
-            case Kind::reactions: return table_under("forces", reaction_lines(context_, measure_));
-            case Kind::bars: return table_under("bars", bar_lines(context_, measure_));
-            case Kind::lever: return under("lever", std::vector<Block>{joukowsky_block(context_, measure_)});
+            case Kind::reactions: return table_under(lang::sheet::forces, reaction_lines(context_, measure_));
+            case Kind::bars: return table_under(lang::sheet::bars, bar_lines(context_, measure_));
+            case Kind::lever: return under(lang::sheet::lever, std::vector<Block>{joukowsky_block(context_, measure_)});
             case Kind::equations: return equations(part.which);
             case Kind::answers: return answers();
-            case Kind::unsolved: return under("unsolved", unsolved());
-            case Kind::remarks: return under("remarks", remarks(on_figures));
+            case Kind::unsolved: return under(lang::sheet::unsolved, unsolved());
+            case Kind::remarks: return under(lang::sheet::remarks, remarks(on_figures));
             case Kind::results: break;
         }
         KG_ASSERT(false, "a part has words of its own");
     }
 
 private:
-    Passage under(const std::string& title, std::vector<SharedBlock> rows, const RichText& note = {}) const {
+    Passage under(Key title, std::vector<SharedBlock> rows, const RichText& note = {}) const {
         const std::string words = word(title, context_.language);
         return {heading_block(context_, measure_, words, note), continued(words, note), {}, std::move(rows)};
     }
-    Passage under(const std::string& title, std::vector<Block> rows) const {
+    Passage under(Key title, std::vector<Block> rows) const {
         Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_rows(std::move(rows));
         return passage;
     }
     /// The first line is the head, which is repeated in the next column.
-    Passage table_under(const std::string& title, std::vector<Block> lines) const {
+    Passage table_under(Key title, std::vector<Block> lines) const {
         Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_table(std::move(lines));
         return passage;
     }
     /// The heading of a continued passage, with the position of its figures.
     SharedBlock continued(const std::string& words, const RichText& note = {}) const {
-        return {
-            measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
-                RichText all = note;
-                if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
-                return heading_block(context, measure, words + ", " + word("continued", context.language), all).marks;
-            }};
+        return {measure_, heading_height,
+                [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
+                    RichText all = note;
+                    if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
+                    return heading_block(context, measure,
+                                         words + ", " + word(lang::sheet::continued, context.language), all)
+                        .marks;
+                }};
     }
     Block paragraph(const RichText& text) const { return paragraph_block(context_, measure_, text); }
 
@@ -174,7 +179,8 @@ private:
     }
 
     Passage answers() const {
-        return table_under("answers", answer_lines(context_, answers_of(context_, {}, with_centres_), measure_));
+        return table_under(lang::sheet::answers,
+                           answer_lines(context_, answers_of(context_, {}, with_centres_), measure_));
     }
 
     /// A section of the equations with its heading.
@@ -215,7 +221,7 @@ private:
             all.emplace_back(context_, axes_words());
             const Mechanism& mechanism = solution_.mechanism;
             if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
-                all.emplace_back(context_, one_piece(word("nothing driven", context_.language)));
+                all.emplace_back(context_, one_piece(word(lang::sheet::nothing_driven, context_.language)));
         }
         double height = 0;
         for (const Paragraph& each : all) height += each.height(measure_);
@@ -257,19 +263,21 @@ private:
         const auto signed_number = [&](int value) { return (value < 0 ? "−" : "") + n(std::abs(value)); };
         append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
                                (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
-                               word("by Grübler", context_.language)));
+                               word(lang::sheet::by_gruebler, context_.language)));
         append(text, one_piece("; " +
                                (m.effective != m.gruebler
                                     ? n(m.effective) + " " +
-                                          word(m.effective == 1 ? "effective one" : "effective", context_.language)
-                                    : word("at this pose", context_.language)) +
+                                          word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective,
+                                               context_.language)
+                                    : word(lang::sheet::at_this_pose, context_.language)) +
                                ": " + verdict_words(m, context_.language) + "."));
         return text;
     }
     RichText axes_words() const {
         RichText text;
         const std::string words =
-            word(has_forces(solution_) && !has_motion(solution_) ? "axes forces" : "axes", context_.language);
+            word(has_forces(solution_) && !has_motion(solution_) ? lang::sheet::axes_forces : lang::sheet::axes,
+                 context_.language);
         std::string plain_part;
         for (std::size_t i = 0; i < words.size();) {
             const std::string_view rest = std::string_view(words).substr(i);
@@ -307,19 +315,15 @@ private:
 
 /// Whether statements of this kind can be merged: the number or the body named is enough to distinguish them.
 bool may_be_merged(const Message& message) {
-    switch (message.sentence) {
-        case Sentence::omega_from_pair:
-        case Sentence::alpha_from_pair:
-            return !message.worked_arithmetic.empty() &&
-                   message.arguments.size() <= 4;  // otherwise it draws a vector first
-        case Sentence::inertia_force:
-        case Sentence::inertia_couple:
-        case Sentence::second_way: return !message.worked_arithmetic.empty();
-        case Sentence::two_force_body:
-        case Sentence::two_force_guide:
-        case Sentence::zero_forces: return true;
-        default: return false;
-    }
+    using namespace lang::sentences;
+    const auto is_one_of = [&](std::initializer_list<Key> some) {
+        return std::find(some.begin(), some.end(), message.sentence) != some.end();
+    };
+    if (is_one_of({two_force_body, two_force_bar, two_force_guide, zero_forces})) return true;
+    if (message.worked_arithmetic.empty()) return false;
+    if (is_one_of({omega_from_pair, alpha_from_pair}))
+        return message.arguments.size() <= 4;  // otherwise it draws a vector first
+    return is_one_of({inertia_force, inertia_couple, second_way});
 }
 
 /// Whether a polygon is closed by a force that the sentence of the body finds, or that follows from such a force.
@@ -731,9 +735,9 @@ Block Bands::equations(const Band& band, double most) const {
 
 void Bands::tell_figures(const std::string& question, int first, int last, std::size_t page) {
     std::string& words = figures_stand_[question];
-    words = word("figure", context_.language) + " " + std::to_string(first);
+    words = word(lang::sheet::figure, context_.language) + " " + std::to_string(first);
     if (last > first) words += "–" + std::to_string(last);
-    words += ", " + word("on sheet", context_.language) + " " + std::to_string(page + 1);
+    words += ", " + word(lang::sheet::on_sheet, context_.language) + " " + std::to_string(page + 1);
 }
 
 /// That of the first band with this part; a continuation refers to it.

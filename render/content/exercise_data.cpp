@@ -7,6 +7,8 @@
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/data.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
 #include "render/scene/bars.hpp"
 
@@ -24,18 +26,19 @@ public:
         for (const NamedPoint& point : mechanism_.points) add_point(point);
         for (const Body& body : mechanism_.bodies)
             if (body.circle)
-                say("data wheel",
+                say(lang::data::wheel,
                     {plain_words(body.name), amount(body.circle->radius, units_.length), name(body.circle->centre)});
-        add_common_points("data hinges", &PlanePair::is_hinge);
-        add_common_points("data clamps", &PlanePair::is_clamp);
+        add_common_points(lang::data::hinges, &PlanePair::is_hinge);
+        add_common_points(lang::data::clamps, &PlanePair::is_clamp);
         for (const Joint& joint : mechanism_.joints) add_joint(joint);
         for (const Driver& driver : mechanism_.drivers) std::visit([&](const auto& each) { add_driver(each); }, driver);
         if (mechanism_.motion) add_motion(*mechanism_.motion);
         for (const Mass& mass : mechanism_.masses)
-            say("data mass", {plain_words(mechanism_.body(mass.body).name), amount(mass.mass, units_.mass),
-                              name(mass.centre), amount(mass.inertia, units_.inertia)});
-        if (mechanism_.gravity) say("data gravity", {vector(*mechanism_.gravity, units_.acceleration)});
-        if (!mechanism_.masses.empty()) say(mechanism_.inertia_forces ? "data inertia" : "data no inertia", {});
+            say(lang::data::mass, {plain_words(mechanism_.body(mass.body).name), amount(mass.mass, units_.mass),
+                                   name(mass.centre), amount(mass.inertia, units_.inertia)});
+        if (mechanism_.gravity) say(lang::data::gravity, {vector(*mechanism_.gravity, units_.acceleration)});
+        if (!mechanism_.masses.empty())
+            say(mechanism_.inertia_forces ? lang::data::inertia : lang::data::no_inertia, {});
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { add_load(each); }, load);
         return std::move(rows_);
     }
@@ -51,7 +54,7 @@ private:
             append(list, one_piece(" "));
             append(list, pair((at->at.x / units_.length.si).to_double(), (at->at.y / units_.length.si).to_double()));
         }
-        if (!list.empty()) say("data coordinates", {one_piece(units_.length.symbol), list});
+        if (!list.empty()) say(lang::data::coordinates, {one_piece(units_.length.symbol), list});
     }
 
     void add_point(const NamedPoint& point) {
@@ -59,49 +62,52 @@ private:
         if (const auto* polar = std::get_if<Polar>(&point.placement)) {
             const RichText distance = amount(polar->distance, units_.length), turn = angle(polar->angle);
             if (polar->relative_to)
-                say("data polar relative", {name(polar->from), name(index), distance, turn,
-                                            name(polar->relative_to->from), name(polar->relative_to->to)});
+                say(lang::data::polar_relative, {name(polar->from), name(index), distance, turn,
+                                                 name(polar->relative_to->from), name(polar->relative_to->to)});
             else
-                say("data polar", {name(polar->from), name(index), distance, turn});
+                say(lang::data::polar, {name(polar->from), name(index), distance, turn});
         } else if (const auto* on = std::get_if<Along>(&point.placement)) {
             const RichText share = on->is_ratio ? ratio(on->amount) : amount(on->amount, units_.length);
-            say(on->is_ratio ? "data ratio" : "data along", {name(on->from), name(index), name(on->to), share});
+            say(on->is_ratio ? lang::data::ratio : lang::data::along,
+                {name(on->from), name(index), name(on->to), share});
         } else if (const auto* meet = std::get_if<Meet>(&point.placement)) {
-            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index), which_of(*meet)});
+            say(lang::data::meet,
+                {name(index), curve(meet->first, index), curve(meet->second, index), which_of(*meet)});
         }
     }
 
     /// Which of two intersections is meant.
     RichText which_of(const Meet& meet) const {
         using Side = Meet::Side;
-        if (meet.near) return filled("data nearer", {vector(*meet.near, units_.length)});
+        if (meet.near) return filled(lang::data::nearer, {vector(*meet.near, units_.length)});
         const auto *first = std::get_if<CircleCurve>(&meet.first), *second = std::get_if<CircleCurve>(&meet.second);
         if (meet.side == Side::either) return {};
         if (first != nullptr && second != nullptr)
-            return filled(meet.side == Side::left ? "data on the left" : "data on the right",
+            return filled(meet.side == Side::left ? lang::data::on_the_left : lang::data::on_the_right,
                           {place(first->centre), place(second->centre)});
-        return filled(meet.side == Side::ahead || meet.side == Side::right ? "data ahead" : "data behind", {});
+        return filled(meet.side == Side::ahead || meet.side == Side::right ? lang::data::ahead : lang::data::behind,
+                      {});
     }
 
     RichText curve(const Curve& curve, PointIndex point) const {
         if (const auto* circle = std::get_if<CircleCurve>(&curve)) {
             const bool named = std::holds_alternative<PointIndex>(circle->centre);
-            return filled(named ? "data radius" : "data radius of place",
+            return filled(named ? lang::data::radius : lang::data::radius_of_place,
                           {place(circle->centre), name(point), amount(circle->radius, units_.length)});
         }
         const auto& line = std::get<LineCurve>(curve);
         switch (line.by) {
-            case LineCurve::By::angle: return filled("data line angle", {place(line.through), angle(line.angle)});
-            case LineCurve::By::to: return filled("data line to", {place(line.through), name(line.to)});
+            case LineCurve::By::angle: return filled(lang::data::line_angle, {place(line.through), angle(line.angle)});
+            case LineCurve::By::to: return filled(lang::data::line_to, {place(line.through), name(line.to)});
             case LineCurve::By::parallel:
-                return filled("data line parallel", {place(line.through), direction(line.bearing)});
+                return filled(lang::data::line_parallel, {place(line.through), direction(line.bearing)});
             case LineCurve::By::perpendicular: break;
         }
-        return filled("data line perpendicular", {place(line.through), direction(line.bearing)});
+        return filled(lang::data::line_perpendicular, {place(line.through), direction(line.bearing)});
     }
 
     /// Hinges or clamps: "O_2 (frame, 2), A (2, 3)".
-    void add_common_points(const char* key, bool (PlanePair::*is_such)() const) {
+    void add_common_points(Key key, bool (PlanePair::*is_such)() const) {
         RichText list;
         for (const Joint& joint : mechanism_.joints) {
             if (!(joint.pair().*is_such)()) continue;
@@ -118,33 +124,33 @@ private:
         const PlanePair& pair = joint.pair();
         if (pair.touches()) add_contact(joint);
         if (pair.is_sleeve())
-            say("data guide",
+            say(lang::data::guide,
                 {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), course(*joint.along)});
         if (pair.is_slot())
-            say(joint.arc != none ? "data curved slot" : "data slot",
+            say(joint.arc != none ? lang::data::curved_slot : lang::data::slot,
                 {name(joint.point), owner(joint.bodies[0]), owner(joint.bodies[1]),
                  joint.arc != none ? name(joint.arc) : course(*joint.along)});
-        if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
+        if (joint.pressure_angle) say(lang::data::pressure_angle, {name(joint.point), angle(*joint.pressure_angle)});
         if (joint.pushes)
-            say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
+            say(lang::data::pushes, {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
     }
 
     /// The direction of sliding on a support of the frame; otherwise the profiles of the two bodies.
     void add_contact(const Joint& joint) {
         if (const Bearing* along = support_of(joint))
-            return say("data support", {name(joint.point), subject(joint.other_than(frame)), course(*along)});
+            return say(lang::data::support, {name(joint.point), subject(joint.other_than(frame)), course(*along)});
         RichText shapes;
         const auto add_shape = [&](const RichText& shape) {
             if (!shapes.empty()) append(shapes, one_piece("; "));
             append(shapes, shape);
         };
-        if (joint.tangent) add_shape(filled("data tangent", {way(*joint.tangent)}));
+        if (joint.tangent) add_shape(filled(lang::data::tangent, {way(*joint.tangent)}));
         for (const auto& [body, profile] : joint.profiles) add_shape(shape_of(body, profile));
-        if (joint.pair().meshes() && joint.arm != frame) add_shape(filled("data arm", {subject(joint.arm)}));
+        if (joint.pair().meshes() && joint.arm != frame) add_shape(filled(lang::data::arm, {subject(joint.arm)}));
         const PlanePair& pair = joint.pair();
-        say(pair.meshes()  ? "data meshes"
-            : pair.rolls() ? "data rolls"
-                           : "data slides",
+        say(pair.meshes()  ? lang::data::meshes
+            : pair.rolls() ? lang::data::rolls
+                           : lang::data::slides,
             {name(joint.point), subject(joint.bodies[0]), subject(joint.bodies[1]), shapes});
     }
 
@@ -164,16 +170,16 @@ private:
 
     RichText shape_of(BodyIndex body, const Profile& profile) const {
         if (const auto* line = std::get_if<LineProfile>(&profile))
-            return filled("data straight", {subject(body), way(line->along)});
+            return filled(lang::data::straight, {subject(body), way(line->along)});
         if (const auto* circle = std::get_if<CircleProfile>(&profile))
-            return filled("data round", {subject(body), name(circle->centre)});
-        return filled("data tip", {subject(body)});
+            return filled(lang::data::round, {subject(body), name(circle->centre)});
+        return filled(lang::data::tip, {subject(body)});
     }
 
     void add_driver(const SpinDriver& spin) {
         const std::string& body = mechanism_.body(spin.body).name;
         const std::string about = spin.relative_to == frame ? body : body + mechanism_.body(spin.relative_to).name;
-        say(spin.relative_to == frame ? "data spin" : "data spin relative",
+        say(spin.relative_to == frame ? lang::data::spin : lang::data::spin_relative,
             {plain_words(body),
              equation(letter(Symbol::Letter::omega, about), amount(spin.omega, units_.angular_velocity)),
              equation(letter(Symbol::Letter::alpha, about), amount(spin.alpha, per_second_squared)),
@@ -184,9 +190,9 @@ private:
         const Joint& joint = mechanism_.joint(slide.joint);
         const RichText speed = scalar(name_of_sliding(solution_, slide.joint, false)),
                        acceleration = scalar(name_of_sliding(solution_, slide.joint, true));
-        say("data slide",
+        say(lang::data::slide,
             {name(joint.point), subject(joint.bodies[0]),
-             called(joint.bodies[1], "relative to the frame", "relative to the body"),
+             called(joint.bodies[1], lang::sheet::relative_to_the_frame, lang::sheet::relative_to_the_body),
              equation(speed, amount(slide.speed, units_.velocity)),
              equation(acceleration, amount(slide.acceleration, units_.acceleration)), positive_sense(slide.joint)});
     }
@@ -196,9 +202,9 @@ private:
         const auto given = [&](Symbol::Letter of, const Exact& si, const Unit& unit) {
             return equation(scalar(along_drive(of, point, mechanism_)), amount(si, unit));
         };
-        say("data driven point", {name(point.at), given(Symbol::Letter::v, point.speed, units_.velocity),
-                                  given(Symbol::Letter::a, point.acceleration, units_.acceleration), way(point.along),
-                                  plain_words(mechanism_.body(point.body).name)});
+        say(lang::data::driven_point, {name(point.at), given(Symbol::Letter::v, point.speed, units_.velocity),
+                                       given(Symbol::Letter::a, point.acceleration, units_.acceleration),
+                                       way(point.along), plain_words(mechanism_.body(point.body).name)});
     }
 
     void add_motion(const InstantaneousMotion& motion) {
@@ -208,9 +214,10 @@ private:
                     Symbol{second ? Symbol::Letter::a : Symbol::Letter::v, mechanism_.point(given.point).name, ""},
                     language());
                 if (const auto* value = std::get_if<Vector>(&given.value))
-                    say("data given vector", {symbol, vector(*value, second ? units_.acceleration : units_.velocity)});
+                    say(lang::data::given_vector,
+                        {symbol, vector(*value, second ? units_.acceleration : units_.velocity)});
                 else
-                    say("data given line", {symbol, bearing(std::get<Bearing>(given.value))});
+                    say(lang::data::given_line, {symbol, bearing(std::get<Bearing>(given.value))});
             }
     }
 
@@ -221,10 +228,10 @@ private:
         const RichText body =
             bar != nullptr ? one_piece(*bar, Face::italic) : plain_words(mechanism_.body(force.body).name);
         if (force.value)
-            say(bar != nullptr ? "data force on bar" : "data force",
+            say(bar != nullptr ? lang::data::force_on_bar : lang::data::force,
                 {symbol, body, name(force.at), vector(*force.value, units_.force)});
         else
-            say(bar != nullptr ? "data force on bar along" : "data force along",
+            say(bar != nullptr ? lang::data::force_on_bar_along : lang::data::force_along,
                 {symbol, body, name(force.at), amount(force.magnitude->first, units_.force),
                  bearing(force.magnitude->second)});
     }
@@ -232,25 +239,25 @@ private:
     void add_pin_load(const ForceLoad& force) {
         const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
         if (force.value)
-            say("data pin load", {symbol, name(force.at), vector(*force.value, units_.force)});
+            say(lang::data::pin_load, {symbol, name(force.at), vector(*force.value, units_.force)});
         else
-            say("data pin load along", {symbol, name(force.at), amount(force.magnitude->first, units_.force),
-                                        bearing(force.magnitude->second)});
+            say(lang::data::pin_load_along, {symbol, name(force.at), amount(force.magnitude->first, units_.force),
+                                             bearing(force.magnitude->second)});
     }
 
     void add_load(const DistributedLoad& load) {
         const Unit unit = unit_of_force_per_length(units_);
         if (load.intensity[0] == load.intensity[1])
-            return say("data evenly distributed",
+            return say(lang::data::evenly_distributed,
                        {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from),
                         name(load.to), amount(load.intensity[0], unit), bearing(load.along)});
-        say("data distributed",
+        say(lang::data::distributed,
             {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
              amount(load.intensity[0], unit), amount(load.intensity[1], unit), bearing(load.along)});
     }
 
     void add_load(const TorsionLoad& torsion) {
-        say("data torsion",
+        say(lang::data::torsion,
             {symbol_of_force(torsion.name, Symbol::Letter::M), plain_words(mechanism_.body(torsion.bodies[0]).name),
              plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at),
              amount(torsion.stiffness, unit_of_torsional_stiffness(units_)),
@@ -258,33 +265,33 @@ private:
     }
 
     void add_load(const CoupleLoad& couple) {
-        say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M),
-                            plain_words(mechanism_.body(couple.body).name), amount(couple.value, units_.moment)});
+        say(lang::data::couple, {symbol_of_force(couple.name, Symbol::Letter::M),
+                                 plain_words(mechanism_.body(couple.body).name), amount(couple.value, units_.moment)});
     }
 
     void add_load(const SpringLoad& spring) {
         const RichText symbol = symbol_of_force(spring.name, Symbol::Letter::F),
-                       first = called(spring.bodies[0], "frame", "data bare body"),
-                       second = called(spring.bodies[1], "frame", "data bare body");
+                       first = called(spring.bodies[0], lang::sheet::frame, lang::data::bare_body),
+                       second = called(spring.bodies[1], lang::sheet::frame, lang::data::bare_body);
         if (spring.elastic)
-            return say("data elastic spring", {symbol, name(spring.between[0]), name(spring.between[1]),
-                                               amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
-                                               amount(spring.elastic->free_length, units_.length), first, second});
+            return say(lang::data::elastic_spring, {symbol, name(spring.between[0]), name(spring.between[1]),
+                                                    amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
+                                                    amount(spring.elastic->free_length, units_.length), first, second});
         if (spring.magnitude.sign() < 0)
-            return say("data gas spring", {symbol,
-                                           name(spring.between[0]),
-                                           name(spring.between[1]),
-                                           amount(-spring.magnitude, units_.force),
-                                           {},
-                                           first,
-                                           second});
-        say("data spring", {symbol,
-                            name(spring.between[0]),
-                            name(spring.between[1]),
-                            amount(spring.magnitude, units_.force),
-                            {},
-                            first,
-                            second});
+            return say(lang::data::gas_spring, {symbol,
+                                                name(spring.between[0]),
+                                                name(spring.between[1]),
+                                                amount(-spring.magnitude, units_.force),
+                                                {},
+                                                first,
+                                                second});
+        say(lang::data::spring, {symbol,
+                                 name(spring.between[0]),
+                                 name(spring.between[1]),
+                                 amount(spring.magnitude, units_.force),
+                                 {},
+                                 first,
+                                 second});
     }
 };
 

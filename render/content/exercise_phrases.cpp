@@ -8,6 +8,8 @@
 #include <variant>
 
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/data.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/scene/bars.hpp"
 
@@ -84,27 +86,27 @@ RichText ExercisePhrases::equation(RichText left, const RichText& right) {
 
 RichText ExercisePhrases::direction(const Bearing& of) const {
     return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of)
-                                                             : filled("data the direction", {bearing(of)});
+                                                             : filled(lang::data::the_direction, {bearing(of)});
 }
 
 std::string ExercisePhrases::listed(BodyIndex body) const {
     if (const std::string* bar = name_of_bar(solution_, body)) return *bar;
-    return body == frame ? word("frame", language()) : mechanism_.body(body).name;
+    return body == frame ? word(lang::sheet::frame, language()) : mechanism_.body(body).name;
 }
 
 RichText ExercisePhrases::subject(BodyIndex body) const {
     if (const std::string* bar = name_of_bar(solution_, body))
-        return filled("data the bar", {one_piece(*bar, Face::italic)});
-    return called(body, "data the frame", "data the body");
+        return filled(lang::data::the_bar, {one_piece(*bar, Face::italic)});
+    return called(body, lang::data::the_frame, lang::data::the_body);
 }
 
 RichText ExercisePhrases::owner(BodyIndex body) const {
     if (const std::string* bar = name_of_bar(solution_, body))
-        return filled("data of the bar", {one_piece(*bar, Face::italic)});
-    return called(body, "data of the frame", "data of the body");
+        return filled(lang::data::of_the_bar, {one_piece(*bar, Face::italic)});
+    return called(body, lang::data::of_the_frame, lang::data::of_the_body);
 }
 
-RichText ExercisePhrases::called(BodyIndex body, const char* as_frame, const char* as_body) const {
+RichText ExercisePhrases::called(BodyIndex body, Key as_frame, Key as_body) const {
     return body == frame ? filled(as_frame, {}) : filled(as_body, {plain_words(mechanism_.body(body).name)});
 }
 
@@ -113,7 +115,8 @@ RichText ExercisePhrases::way(const Bearing& of) const {
 }
 
 RichText ExercisePhrases::course(const Bearing& of) const {
-    return filled(std::holds_alternative<Angle>(of.form) ? "along an angle" : "along a line", {way(of)});
+    return filled(std::holds_alternative<Angle>(of.form) ? lang::sheet::along_an_angle : lang::sheet::along_a_line,
+                  {way(of)});
 }
 
 RichText ExercisePhrases::letter(Symbol::Letter letter, const std::string& about, const std::string& term) const {
@@ -141,18 +144,18 @@ RichText ExercisePhrases::positive_sense(JointIndex index) const {
     const double degrees = std::round(std::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
     RichText angle = number_of(degrees == 0 ? 0 : degrees);
     append(angle, "°");
-    return filled("positive along", {angle});
+    return filled(lang::sheet::positive_along, {angle});
 }
 
 RichText ExercisePhrases::positive_sense(const Bearing& of) const {
     if (const auto* between = std::get_if<Bearing::Between>(&of.form))
-        return filled("positive from", {name(between->from), name(between->to)});
-    return filled("positive along", {way(of)});
+        return filled(lang::sheet::positive_from, {name(between->from), name(between->to)});
+    return filled(lang::sheet::positive_along, {way(of)});
 }
 
 RichText ExercisePhrases::subject_of_action(BodyIndex body, std::string_view preposition) const {
-    return preposition == "on" ? called(body, "on the frame", "on the body")
-                               : called(body, "from the frame", "from the body");
+    return preposition == "on" ? called(body, lang::sheet::on_the_frame, lang::sheet::on_the_body)
+                               : called(body, lang::sheet::from_the_frame, lang::sheet::from_the_body);
 }
 
 }  // namespace kinegraph::render

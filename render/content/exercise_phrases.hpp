@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 
 namespace kinegraph::render {
@@ -23,8 +24,8 @@ protected:
     static RichText plain_words(const std::string& words) { return one_piece(words); }
     RichText amount(const Exact& si, const Unit& unit) const { return given_amount(si, unit, language()); }
     RichText scalar(const Symbol& of) const { return letter(of.letter, of.about, of.term); }
-    RichText filled(const char* key, const std::vector<RichText>& parts) const { return word(key, parts, language()); }
-    void say(const char* key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
+    RichText filled(Key key, const std::vector<RichText>& parts) const { return word(key, parts, language()); }
+    void say(Key key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
     RichText name(PointIndex point) const;
     RichText number_of(double value) const;
     /// A fraction such as 1/3 if its decimals would not end.
@@ -43,7 +44,7 @@ protected:
     /// "body 2", "bar AB", "the frame"; "of body 2", "of bar AB", "of the frame".
     RichText subject(BodyIndex body) const;
     RichText owner(BodyIndex body) const;
-    RichText called(BodyIndex body, const char* as_frame, const char* as_body) const;
+    RichText called(BodyIndex body, Key as_frame, Key as_body) const;
     /// A bearing; words mark its components, which would look like a position otherwise.
     RichText way(const Bearing& of) const;
     /// "along AB", "along 0°".
@@ -55,7 +56,7 @@ protected:
     /// Between points that the file names, otherwise by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const;
     RichText positive_sense(const Bearing& of) const;
-    /// "on body 3", "from the frame".
+    /// "on body 3", lang::sheet::from_the_frame.
     RichText subject_of_action(BodyIndex body, std::string_view preposition) const;
 
     const DrawingContext& context_;

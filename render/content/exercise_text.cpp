@@ -13,6 +13,7 @@
 #include "engine/results/result_names.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
@@ -34,12 +35,13 @@ public:
         for (const Column& column : asked_columns(mechanism_)) {
             const Quantity& q = column.quantity;
             bars = bars || q.kind == Quantity::Kind::bar;
-            if (column.kind == Column::Kind::along) say("sense of sliding", sliding(q.joint, symbol_asked(column)));
+            if (column.kind == Column::Kind::along)
+                say(lang::sheet::sense_of_sliding, sliding(q.joint, symbol_asked(column)));
             if (q.kind == Quantity::Kind::effort) add_sense(mechanism_.efforts[at_index(q.given)]);
         }
         if (asked_of(mechanism_).empty())
             for (const Effort& effort : mechanism_.efforts) add_sense(effort);
-        if (bars || (solution_.truss && asked_of(mechanism_).empty())) say("sense of bars", {});
+        if (bars || (solution_.truss && asked_of(mechanism_).empty())) say(lang::sheet::sense_of_bars, {});
         return std::move(rows_);
     }
 
@@ -50,27 +52,27 @@ public:
         }
         const Find& find = mechanism_.find;
         const bool all = !find.stated, motion = has_motion(solution_) || !has_forces(solution_);
-        if (find.instant_centres || (all && motion && !solution_.centres.empty())) say("sought centres", {});
-        if (find.velocity || (all && has_plane(Plane::velocity))) say("sought velocity", {});
-        if (find.acceleration || (all && has_plane(Plane::acceleration))) say("sought acceleration", {});
+        if (find.instant_centres || (all && motion && !solution_.centres.empty())) say(lang::sheet::sought_centres, {});
+        if (find.velocity || (all && has_plane(Plane::velocity))) say(lang::sheet::sought_velocity, {});
+        if (find.acceleration || (all && has_plane(Plane::acceleration))) say(lang::sheet::sought_acceleration, {});
         for (const RelativeMotionQuery& query : find.relative_motion) {
             if (query.translating_with != none)
-                say("sought translating", {name(query.point), name(query.translating_with)});
+                say(lang::sheet::sought_translating, {name(query.point), name(query.translating_with)});
             else
-                say(query.solves ? "sought through" : "sought relative",
+                say(query.solves ? lang::sheet::sought_through : lang::sheet::sought_relative,
                     {name(query.point), plain_words(mechanism_.body(query.observer).name)});
         }
-        if (find.curvature) say("sought curvature", {});
-        if (find.equations) say("sought equations", {});
+        if (find.curvature) say(lang::sheet::sought_curvature, {});
+        if (find.equations) say(lang::sheet::sought_equations, {});
         if (find.virtual_work && !find.forces) {
-            say("sought work", {});
+            say(lang::sheet::sought_work, {});
             for (const Effort& effort : mechanism_.efforts)
                 std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
         if (find.forces || (all && has_forces(solution_))) {
-            say("sought forces", {});
-            if (solution_.truss) say("sought bars", {});
-            for (const CutQuery& cut : find.cuts) say("sought cut", {plain_words(names_of(cut))});
+            say(lang::sheet::sought_forces, {});
+            if (solution_.truss) say(lang::sheet::sought_bars, {});
+            for (const CutQuery& cut : find.cuts) say(lang::sheet::sought_cut, {plain_words(names_of(cut))});
             for (const Effort& effort : mechanism_.efforts)
                 std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
@@ -121,7 +123,7 @@ private:
     AskedText asked_of_problem(const Column& column) const {
         AskedText text;
         for (const ProblemValue& each : solution_.problem->values) {
-            if (each.name.en != column.name) continue;
+            if (in_english(each.name) != column.name) continue;
             text.symbol = symbol_of(each.symbol);
             const Words& spoken = each.spoken.empty() ? each.name : each.spoken;
             text.words = one_piece(in(spoken, language()));
@@ -143,8 +145,8 @@ private:
     std::vector<RichText> sliding(JointIndex index, const RichText& symbol) const {
         const Joint& joint = mechanism_.joint(index);
         return {symbol, owner(joint.bodies[0]),
-                called(joint.bodies[1], "relative to the frame", "relative to the body"), name(joint.point),
-                positive_sense(index)};
+                called(joint.bodies[1], lang::sheet::relative_to_the_frame, lang::sheet::relative_to_the_body),
+                name(joint.point), positive_sense(index)};
     }
 
     void say_asked(const Column& column, const RichText& symbol) {
@@ -152,10 +154,10 @@ private:
         switch (column.kind) {
             case Column::Kind::angle: return say_asked_angle(q.body, symbol);
             case Column::Kind::place_x:
-            case Column::Kind::place_y: return say("asked place", {symbol, carried(column)});
+            case Column::Kind::place_y: return say(lang::sheet::asked_place, {symbol, carried(column)});
             case Column::Kind::along:
-                return say(q.kind == Quantity::Kind::sliding_velocity ? "asked sliding velocity"
-                                                                      : "asked sliding acceleration",
+                return say(q.kind == Quantity::Kind::sliding_velocity ? lang::sheet::asked_sliding_velocity
+                                                                      : lang::sheet::asked_sliding_acceleration,
                            sliding(q.joint, symbol));
             case Column::Kind::result: return say_asked_result(column, symbol);
             case Column::Kind::turn:
@@ -163,9 +165,10 @@ private:
             case Column::Kind::slid:
             case Column::Kind::named: break;
         }
-        if (column.name != transmission_angle_name) return say("asked by name", {symbol, plain_words(column.name)});
-        if (q.joint == none) return say("asked transmission", {symbol});
-        say("asked transmission at",
+        if (column.name != transmission_angle_name)
+            return say(lang::sheet::asked_by_name, {symbol, plain_words(column.name)});
+        if (q.joint == none) return say(lang::sheet::asked_transmission, {symbol});
+        say(lang::sheet::asked_transmission_at,
             {symbol, name(mechanism_.joint(q.joint).point), plain_words(mechanism_.body(q.other).name),
              plain_words(mechanism_.body(q.body).name)});
     }
@@ -173,33 +176,41 @@ private:
     void say_asked_angle(BodyIndex index, const RichText& symbol) {
         const Body& body = mechanism_.body(index);
         if (const auto line = line_of(body, solution_.pose))
-            return say("asked angle of line", {symbol, plain_words(body.name), name((*line)[0]), name((*line)[1])});
-        say("asked angle", {symbol, plain_words(body.name)});
+            return say(lang::sheet::asked_angle_of_line,
+                       {symbol, plain_words(body.name), name((*line)[0]), name((*line)[1])});
+        say(lang::sheet::asked_angle, {symbol, plain_words(body.name)});
     }
 
     void say_asked_result(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
         const bool whole = q.component == Quantity::Component::whole;
         switch (q.kind) {
-            case Quantity::Kind::omega: return say("asked omega", {symbol, plain_words(mechanism_.body(q.body).name)});
-            case Quantity::Kind::alpha: return say("asked alpha", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::omega:
+                return say(lang::sheet::asked_omega, {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::alpha:
+                return say(lang::sheet::asked_alpha, {symbol, plain_words(mechanism_.body(q.body).name)});
             case Quantity::Kind::velocity:
-                return say(whole ? "asked velocity" : "asked part of velocity", {symbol, carried(column)});
+                return say(whole ? lang::sheet::asked_velocity : lang::sheet::asked_part_of_velocity,
+                           {symbol, carried(column)});
             case Quantity::Kind::acceleration:
-                return say(whole ? "asked acceleration" : "asked part of acceleration", {symbol, carried(column)});
+                return say(whole ? lang::sheet::asked_acceleration : lang::sheet::asked_part_of_acceleration,
+                           {symbol, carried(column)});
             case Quantity::Kind::force:
-                return say(q.other == none ? (whole ? "asked force of pin" : "asked part of force of pin")
-                                           : (whole ? "asked force" : "asked part of force"),
+                return say(q.other == none
+                               ? (whole ? lang::sheet::asked_force_of_pin : lang::sheet::asked_part_of_force_of_pin)
+                               : (whole ? lang::sheet::asked_force : lang::sheet::asked_part_of_force),
                            action(q, symbol));
             case Quantity::Kind::couple:
-                return say(q.other == none ? "asked couple of pin" : "asked couple", action(q, symbol));
+                return say(q.other == none ? lang::sheet::asked_couple_of_pin : lang::sheet::asked_couple,
+                           action(q, symbol));
             case Quantity::Kind::effort:
                 return std::visit([&](const auto& effort) { add_effort(effort); },
                                   mechanism_.efforts[at_index(q.given)]);
             case Quantity::Kind::bar:
-                return say(name_of_bar(solution_, q.body) != nullptr ? "asked bar" : "asked numbered bar",
+                return say(name_of_bar(solution_, q.body) != nullptr ? lang::sheet::asked_bar
+                                                                     : lang::sheet::asked_numbered_bar,
                            {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
-            default: return say("asked by name", {symbol, plain_words(column.name)});
+            default: return say(lang::sheet::asked_by_name, {symbol, plain_words(column.name)});
         }
     }
 
@@ -208,7 +219,7 @@ private:
         const Quantity& q = column.quantity;
         const bool apart = column.name.ends_with(" on " + mechanism_.body(q.body).name);
         if (!apart) return name(q.point);
-        return filled("asked point of body", {name(q.point), plain_words(mechanism_.body(q.body).name)});
+        return filled(lang::sheet::asked_point_of_body, {name(q.point), plain_words(mechanism_.body(q.body).name)});
     }
 
     std::vector<RichText> action(const Quantity& q, const RichText& symbol) const {
@@ -219,37 +230,37 @@ private:
     void add_effort(const CoupleEffort& effort) {
         const RichText symbol = symbol_of_force(effort.name, Symbol::Letter::M);
         const RichText on = plain_words(mechanism_.body(effort.body).name);
-        if (effort.from == frame) return say("sought couple", {symbol, on});
-        say("sought couple between", {symbol, on, plain_words(mechanism_.body(effort.from).name)});
+        if (effort.from == frame) return say(lang::sheet::sought_couple, {symbol, on});
+        say(lang::sheet::sought_couple_between, {symbol, on, plain_words(mechanism_.body(effort.from).name)});
     }
 
     void add_effort(const ForceEffort& effort) {
-        say("sought force",
+        say(lang::sheet::sought_force,
             {symbol_of_force(effort.name, Symbol::Letter::F), plain_words(mechanism_.body(effort.body).name),
              name(effort.at), positive_sense(effort.along)});
     }
 
     void add_effort(const ActuatorEffort& effort) {
         const Joint& joint = mechanism_.joint(effort.joint);
-        say("sought actuator", {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point),
-                                subject_of_action(joint.bodies[0], "on"), subject_of_action(joint.bodies[1], "from"),
-                                positive_sense(effort.joint)});
+        say(lang::sheet::sought_actuator, {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point),
+                                           subject_of_action(joint.bodies[0], "on"),
+                                           subject_of_action(joint.bodies[1], "from"), positive_sense(effort.joint)});
     }
 
     /// Adds the positive sense of an input force or of an input couple between two bodies. A couple from the frame
     /// follows the common sense of rotation.
     void add_sense(const Effort& effort) {
         if (const auto* couple = std::get_if<CoupleEffort>(&effort); couple != nullptr && couple->from != frame)
-            say("sense of couple between",
+            say(lang::sheet::sense_of_couple_between,
                 {symbol_of_force(couple->name, Symbol::Letter::M), subject_of_action(couple->body, "on"),
                  subject_of_action(couple->from, "from")});
         if (const auto* force = std::get_if<ForceEffort>(&effort))
-            say("sense of effort", {symbol_of_force(force->name, Symbol::Letter::F),
-                                    subject_of_action(force->body, "on"), positive_sense(force->along)});
+            say(lang::sheet::sense_of_effort, {symbol_of_force(force->name, Symbol::Letter::F),
+                                               subject_of_action(force->body, "on"), positive_sense(force->along)});
         if (const auto* actuator = std::get_if<ActuatorEffort>(&effort))
-            say("sense of effort", {symbol_of_force(actuator->name, Symbol::Letter::F),
-                                    subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"),
-                                    positive_sense(actuator->joint)});
+            say(lang::sheet::sense_of_effort, {symbol_of_force(actuator->name, Symbol::Letter::F),
+                                               subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"),
+                                               positive_sense(actuator->joint)});
     }
 };
 
@@ -278,15 +289,15 @@ AskedText asked_text(const DrawingContext& context, const Column& column) { retu
 
 std::string heading_of(Topic section, Language language) {
     switch (section) {
-        case Topic::centres: return word("instant centres", language);
-        case Topic::velocity: return word("velocities", language);
-        case Topic::acceleration: return word("accelerations", language);
-        case Topic::relative_motion: return word("relative motion", language);
-        case Topic::curvature: return word("curvature", language);
+        case Topic::centres: return word(lang::sheet::instant_centres, language);
+        case Topic::velocity: return word(lang::sheet::velocities, language);
+        case Topic::acceleration: return word(lang::sheet::accelerations, language);
+        case Topic::relative_motion: return word(lang::sheet::relative_motion, language);
+        case Topic::curvature: return word(lang::sheet::curvature, language);
         case Topic::forces:
         case Topic::unnamed: break;
     }
-    return word("forces", language);
+    return word(lang::sheet::forces, language);
 }
 
 bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
@@ -318,12 +329,13 @@ bool shows_forces(const Figure& figure) { return figure.kind == "forces" || figu
 }  // namespace
 
 RichText name_of_scale(const DrawingContext& context, const Figure& figure, const std::vector<Figure>& figures) {
-    if (figure.kind == "mechanism") return one_piece(word("mechanism", context.language));
+    if (figure.kind == "mechanism") return one_piece(word(lang::sheet::mechanism, context.language));
     const bool alike = std::all_of(figures.begin(), figures.end(), [&](const Figure& other) {
         return !shows_forces(other) || !other.has_scale ||
                plain(scale_words(context, other)) == plain(scale_words(context, figure));
     });
-    return shows_forces(figure) && alike ? one_piece(word("sought forces scale", context.language)) : figure.caption;
+    return shows_forces(figure) && alike ? one_piece(word(lang::sheet::sought_forces_scale, context.language))
+                                         : figure.caption;
 }
 
 namespace {
@@ -346,7 +358,7 @@ void add_scales_of_details(const DrawingContext& context, const Figure& figure, 
                            const RichText& name, std::vector<RichText>& rows) {
     for (const DetailOn& detail : figure.details) {
         RichText row = name;
-        append(row, one_piece(", " + word("scale of detail", context.language) + " "));
+        append(row, one_piece(", " + word(lang::sheet::scale_of_detail, context.language) + " "));
         std::vector<std::string> named;
         for (const Answer& each : sought) {
             if (each.detail != detail.letter || !each.read_off) continue;
@@ -399,7 +411,7 @@ std::optional<RichText> remark_on_unreadable(const DrawingContext& context, cons
         append(names, each.words.empty() ? typeset(each.symbol, context.language) : each.words);
     }
     if (names.empty()) return std::nullopt;
-    return word("reading says nothing", {names}, context.language);
+    return word(lang::sheet::reading_says_nothing, {names}, context.language);
 }
 
 }  // namespace kinegraph::render

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
@@ -70,12 +71,12 @@ std::string subtitle_of(const Solution& solution, Language language) {
     if (stands_for_joints(solution.mechanism)) return in(solution.problem->subject, language);
     const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
                                           [](const Polygon& p) { return p.plane == Plane::acceleration; });
-    return word(is_mixed(solution)                   ? "subtitle mixed"
-                : solution.truss                     ? "subtitle truss"
-                : has_forces(solution)               ? "subtitle forces"
-                : solution.protocol.polygons.empty() ? "subtitle pose"
-                : acceleration                       ? "subtitle acceleration"
-                                                     : "subtitle velocity",
+    return word(is_mixed(solution)                   ? lang::sheet::subtitle_mixed
+                : solution.truss                     ? lang::sheet::subtitle_truss
+                : has_forces(solution)               ? lang::sheet::subtitle_forces
+                : solution.protocol.polygons.empty() ? lang::sheet::subtitle_pose
+                : acceleration                       ? lang::sheet::subtitle_acceleration
+                                                     : lang::sheet::subtitle_velocity,
                 language);
 }
 
@@ -97,9 +98,9 @@ void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const S
                                format.inner.max.y - 1.6);
     marks.emplace_back(line({format.inner.min.x, room.min.y}, {format.inner.max.x, room.min.y},
                             Pen{theme.thin, theme.text, {}, false}));
-    const ShapedLine sheet = context.fonts.shape(
-        one_piece(word("block sheet", context.language) + " " + std::to_string(index) + "/" + std::to_string(count)),
-        theme.block);
+    const ShapedLine sheet = context.fonts.shape(one_piece(word(lang::sheet::block_sheet, context.language) + " " +
+                                                           std::to_string(index) + "/" + std::to_string(count)),
+                                                 theme.block);
     set_text(marks, sheet, {room.max.x - sheet.width, room.max.y}, theme.secondary, "text");
     std::string words(first_characters(title_of(context.solution, context.language), most_characters));
     if (const std::string origin = origin_of(context.solution, signature); !origin.empty()) words += "  ·  " + origin;
@@ -145,7 +146,7 @@ ShapedLine shaped_with_its_end(const std::string& words, double size, const Font
 
 std::string title_of(const Solution& solution, Language language) {
     const std::string& given = in(solution.mechanism.title, language);
-    return given.empty() ? word("untitled", language) : given;
+    return given.empty() ? word(lang::sheet::untitled, language) : given;
 }
 
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
@@ -167,12 +168,13 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
 
     const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
     const std::array<std::pair<std::string, std::string>, 6> cells{
-        std::pair{word("block scale", context.language), scale},
-        {word("block size", context.language), format.name},
-        {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
-        {word("block units", context.language), units_of(solution)},
-        {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word(is_of_point(solution.mechanism) ? "block points" : "block bodies", context.language),
+        std::pair{word(lang::sheet::block_scale, context.language), scale},
+        {word(lang::sheet::block_size, context.language), format.name},
+        {word(lang::sheet::block_sheet, context.language), std::to_string(index) + "/" + std::to_string(count)},
+        {word(lang::sheet::block_units, context.language), units_of(solution)},
+        {word(lang::sheet::block_readings, context.language), fixed(0.1, 1, context.language) + " mm"},
+        {word(is_of_point(solution.mechanism) ? lang::sheet::block_points : lang::sheet::block_bodies,
+              context.language),
          count_of_bodies(solution.mechanism)}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;

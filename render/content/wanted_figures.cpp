@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "lang/keys/sentences.hpp"
 #include "render/figures/truss_figures.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
@@ -66,7 +67,7 @@ bool found_by_works(const Solution& solution) {
     return std::any_of(
         solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
             const Statement& said = solution.protocol.statements[at_index(motion.statement)];
-            return said.message.sentence == Sentence::virtual_work_alone &&
+            return said.message.sentence == lang::sentences::virtual_work_alone &&
                    std::any_of(said.finds.begin(), said.finds.end(),
                                [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
         });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    std::string in(const Words& words) const { return render::in(words, language_); }
+    std::string in(const Words& words) const { return kinegraph::in(words, language_); }
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
     const std::string& body() const { return mechanism_.body(motion_.query.observer).name; }
@@ -55,18 +56,15 @@ private:
     }
 
     void write_axes() {
-        items_.push_back({Kind::heading, in(Words("Seen from body {0}", "Visto dal corpo {0}", body())), {}, {}});
+        items_.push_back({Kind::heading, in(Words(lang::equations::seen_from_body, body())), {}, {}});
         if (apart_.towards == none)
-            say(Words("Moving axes on body {0}: origin {1}, x′ along x at this instant.",
-                      "Terna mobile sul corpo {0}: origine {1}, x′ lungo x in questo istante.", body(), origin()));
+            say(Words(lang::equations::moving_axes_on_body_origin_x, body(), origin()));
         else
-            say(Words(
-                "Moving axes on body {0}: origin {1}, x′ towards {2}, y′ a quarter turn counter-clockwise from it.",
-                "Terna mobile sul corpo {0}: origine {1}, x′ verso {2}, y′ ruotato di 90° in senso antiorario.", body(),
-                origin(), mechanism_.point(apart_.towards).name));
+            say(Words(lang::equations::moving_axes_on_body_origin_x_towards, body(), origin(),
+                      mechanism_.point(apart_.towards).name));
         set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) +
             upright(",  ") + equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
-        say({"Their unit vectors change by Poisson’s formulae:", "I versori variano secondo le formule di Poisson:"});
+        say({lang::equations::their_unit_vectors_change_by_poisson});
         const auto rate = [](const char* of) {
             return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"),
                                      upright("d") + Formula::letter("t"));
@@ -96,32 +94,29 @@ private:
                  upright(written(length(each.value)) + " " + unit.symbol)});
     }
     void write_transport() {
-        say(Words(
-            "The transport of {0}, the motion of the place of body {1} that it passes, parted about {2}:",
-            "Il trascinamento di {0}, cioè il moto del punto del corpo {1} su cui si trova, scomposto rispetto a {2}:",
-            point(), body(), origin()));
-        std::vector<std::vector<Formula>> rows{
-            {upright(in({"term", "termine"})), upright(""), upright("(x; y)"), upright(in({"magnitude", "modulo"}))}};
+        say(Words(lang::equations::the_transport_of_the_motion, point(), body(), origin()));
+        std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::term})), upright(""), upright("(x; y)"),
+                                                upright(in({lang::equations::magnitude}))}};
         const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
         const auto a = [&](const std::string& sub) { return Formula::letter("a", sub); };
         const Formula square = Formula::power(Formula::letter("omega", body()), upright("2"));
         const std::string tr = "tr", rel = "rel", cor = "Cor";
         add_rows(rows,
-                 {{v(origin()), upright(in({"of the origin", "dell’origine"})), *apart_.origin_velocity},
+                 {{v(origin()), upright(in({lang::equations::of_the_origin})), *apart_.origin_velocity},
                   {Formula::letter("v", "r"), omega() + upright(wedge()) + reach(), *apart_.turning_velocity},
                   {v(tr), v(origin()) + Formula::sign("+") + v("r"), *motion_.transport_velocity},
-                  {v(rel), upright(in({"seen by the observer", "vista dall’osservatore"})), *motion_.relative_velocity},
+                  {v(rel), upright(in({lang::equations::seen_by_the_observer})), *motion_.relative_velocity},
                   {v(point()), v(tr) + Formula::sign("+") + v(rel), *motion_.velocity}},
                  QuantityKind::velocity);
         add_rows(
             rows,
-            {{a(origin()), upright(in({"of the origin", "dell’origine"})), *apart_.origin_acceleration},
+            {{a(origin()), upright(in({lang::equations::of_the_origin})), *apart_.origin_acceleration},
              {a("t"), alpha() + upright(wedge()) + reach(), *apart_.tangential},
              {a("n"), upright("−") + square + reach(), *apart_.normal},
              {a(tr), a(origin()) + Formula::sign("+") + a("t") + Formula::sign("+") + a("n"),
               *motion_.transport_acceleration},
              {a(cor), upright("2 ") + omega() + upright(wedge()) + v(rel), *motion_.coriolis},
-             {a(rel), upright(in({"seen by the observer", "vista dall’osservatore"})), *motion_.relative_acceleration},
+             {a(rel), upright(in({lang::equations::seen_by_the_observer})), *motion_.relative_acceleration},
              {a(point()), a(tr) + Formula::sign("+") + a(cor) + Formula::sign("+") + a(rel), *motion_.acceleration}},
             QuantityKind::acceleration);
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
@@ -136,8 +131,7 @@ private:
                      upright(amount_of(std::copysign(size, sense.to_double()), kind)));
     }
     void write_seen() {
-        say({"In the moving axes, whose unit vectors rest for the observer:",
-             "Nella terna mobile, i cui versori sono fissi per l’osservatore:"});
+        say({lang::equations::in_the_moving_axes_whose_unit});
         const Vector x = axis();
         const auto line = [&](int dots, const Recorded<Vector>& along, const Recorded<Vector>& across,
                               QuantityKind kind) {
@@ -150,40 +144,15 @@ private:
     void write_coriolis() {
         switch (apart_.no_coriolis) {
             case Apart::NoCoriolis::there_is:
-                return say(
-                    apart_.omega->sign() > 0
-                        ? Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, "
-                                "counter-clockwise, and 2{ω_{0}} times as long.",
-                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, "
-                                "antiorario, e "
-                                "moltiplicata per 2{ω_{0}}.",
-                                body())
-                        : Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, "
-                                "clockwise, "
-                                "and 2|{ω_{0}}| times as long.",
-                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, orario, e "
-                                "moltiplicata per 2|{ω_{0}}|.",
-                                body()));
+                return say(apart_.omega->sign() > 0
+                               ? Words(lang::equations::coriolis_acceleration_is_v_rel_turned, body())
+                               : Words(lang::equations::coriolis_acceleration_is_v_rel_turned_by, body()));
             case Apart::NoCoriolis::observer_does_not_turn:
-                return say(
-                    apart_.alpha->is_zero()
-                        ? Words("Coriolis’ acceleration vanishes because body {0} does not turn: {ω_{0}} = 0.",
-                                "L’accelerazione di Coriolis è nulla perché il corpo {0} non ruota: {ω_{0}} = 0.",
-                                body())
-                        : Words(
-                              "Coriolis’ acceleration vanishes because {ω_{0}} = 0: body {0} translates, but at this "
-                              "instant only, for its angular acceleration does not vanish.",
-                              "L’accelerazione di Coriolis è nulla perché {ω_{0}} = 0: il corpo {0} trasla, ma solo in "
-                              "questo istante, poiché la sua accelerazione angolare non è nulla.",
-                              body()));
+                return say(apart_.alpha->is_zero()
+                               ? Words(lang::equations::coriolis_acceleration_vanishes_because_body, body())
+                               : Words(lang::equations::coriolis_acceleration_vanishes_because_0, body()));
             case Apart::NoCoriolis::rests_for_observer:
-                return say(Words(
-                    "Coriolis’ acceleration vanishes because {0} rests for the observer: {v_rel} = 0, and Rivals’ "
-                    "theorem "
-                    "is left.",
-                    "L’accelerazione di Coriolis è nulla perché {0} è fermo per l’osservatore: {v_rel} = 0, e resta il "
-                    "teorema di Rivals.",
-                    point()));
+                return say(Words(lang::equations::coriolis_acceleration_vanishes_because_rests, point()));
         }
     }
 

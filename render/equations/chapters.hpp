@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/file/words.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/solution.hpp"
+#include "lang/words.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/text/words.hpp"
 

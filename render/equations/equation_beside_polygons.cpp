@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/equations.hpp"
 
 namespace kinegraph::render::closure {
 
 void DrawnRates::write_values() {
-    std::vector<std::vector<Formula>> rows{{Formula::upright(pen_.in({"quantity", "grandezza"})),
-                                            Formula::upright(pen_.in({"equations", "equazioni"})),
-                                            Formula::upright(pen_.in({"polygon", "poligono"}))}};
+    std::vector<std::vector<Formula>> rows{{Formula::upright(pen_.in({lang::equations::quantity})),
+                                            Formula::upright(pen_.in({lang::equations::equations})),
+                                            Formula::upright(pen_.in({lang::equations::polygon}))}};
     for (const int dots : {1, 2})
         for (const LetterIndex index : e_.unknowns) {
             const Letter& own = pen_.letter(index);
@@ -25,7 +26,7 @@ void DrawnRates::write_values() {
                             polygon ? pen_.amount_formula(index, *polygon, dots) : Formula::upright("–")});
         }
     if (rows.size() < 2) return;
-    list_.heading({"Values", "Valori"});
+    list_.heading({lang::equations::values});
     list_.table(std::move(rows));
 }
 

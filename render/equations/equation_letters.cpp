@@ -1,3 +1,5 @@
+#include "lang/keys/equations.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/equations/equation_chapters.hpp"
 
 #include <algorithm>
@@ -9,12 +11,12 @@
 namespace kinegraph::render::closure {
 
 void LettersTable::write_letters() {
-    list_.heading({"Closure equations", "Equazioni di chiusura"});
+    list_.heading({lang::equations::closure_equations});
     std::vector<std::vector<Formula>> rows{
-        {Formula::upright(pen_.in({"quantity", "grandezza"})), Formula::upright(pen_.in({"what", "che cos’è"})),
-         Formula::upright(pen_.in({"value", "valore"})), Formula::upright(pen_.in({"kind", "tipo"}))}};
-    const std::array<Words, 3> kinds{Words("given", "data"), Words("free (driven)", "libera (movente)"),
-                                     Words("dependent", "dipendente")};
+        {Formula::upright(pen_.in({lang::equations::quantity})), Formula::upright(pen_.in({lang::equations::what})),
+         Formula::upright(pen_.in({lang::equations::value})), Formula::upright(pen_.in({lang::equations::kind}))}};
+    const std::array<Words, 3> kinds{Words(lang::equations::given), Words(lang::equations::free_driven),
+                                     Words(lang::equations::dependent)};
     for (const auto role : {Letter::Role::given, Letter::Role::free, Letter::Role::dependent})
         for (std::size_t i = 0; i < e_.letters.size(); ++i) {
             const auto index = static_cast<LetterIndex>(i);
@@ -30,11 +32,10 @@ Formula LettersTable::what_is(LetterIndex index) const {
     const Letter& own = pen_.letter(index);
     if (own.role != Letter::Role::given) return Formula::upright(pen_.described(index));
     if (own.symbol == "R")
-        return Formula::upright(
-            pen_.in(Words("radius on body {0}", "raggio sul corpo {0}", mechanism_.body(own.body).name)));
-    if (own.is_angle) return Formula::upright(pen_.in({"fixed angle", "angolo fisso"}));
+        return Formula::upright(pen_.in(Words(lang::equations::radius_on_body, mechanism_.body(own.body).name)));
+    if (own.is_angle) return Formula::upright(pen_.in({lang::equations::fixed_angle}));
     Formula ends = ends_of(index);
-    return ends.empty() ? Formula::upright(pen_.in({"constant distance", "distanza costante"})) : ends;
+    return ends.empty() ? Formula::upright(pen_.in({lang::equations::constant_distance})) : ends;
 }
 
 bool LettersTable::is_written(LetterIndex index) const {

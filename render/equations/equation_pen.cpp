@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render::closure {
@@ -80,14 +81,13 @@ std::string EquationPen::described(LetterIndex index) const {
     const auto body = [&](BodyIndex which) { return mechanism_.body(which).name; };
     if (own.is_angle && own.joint == none && own.body != none)
         return own.against == none
-                   ? in(Words("turn of body {0}", "rotazione del corpo {0}", body(own.body)))
-                   : in(Words("turn of body {0} on body {1}", "rotazione del corpo {0} rispetto al corpo {1}",
-                              body(own.body), body(own.against)));
+                   ? in(Words(lang::equations::turn_of_body, body(own.body)))
+                   : in(Words(lang::equations::turn_of_body_on_body, body(own.body), body(own.against)));
     if (own.is_angle)
-        return in(Words("equivalent link at {0}", "biella equivalente in {0}",
+        return in(Words(lang::equations::equivalent_link,
                         own.joint == none ? std::string() : mechanism_.joint(own.joint).name));
-    if (own.joint != none) return in(Words("slide at {0}", "scorrimento in {0}", mechanism_.joint(own.joint).name));
-    return in(Words("place: {0}", "posizione: {0}", own.name));
+    if (own.joint != none) return in(Words(lang::equations::slide_at, mechanism_.joint(own.joint).name));
+    return in(Words(lang::equations::place, own.name));
 }
 
 Formula EquationPen::sum_of(const std::vector<LetterIndex>& letters, int dots) const {

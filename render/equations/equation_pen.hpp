@@ -47,7 +47,7 @@ public:
     std::string amount_text(double si, QuantityKind kind) const;
 
     Language language() const { return language_; }
-    std::string in(const Words& words) const { return render::in(words, language_); }
+    std::string in(const Words& words) const { return kinegraph::in(words, language_); }
     const Letter& letter(LetterIndex index) const { return e_.letter(index); }
     Formula name(LetterIndex index, int dots = 0) const {
         return Formula::letter(letter(index).symbol, letter(index).sub, dots);

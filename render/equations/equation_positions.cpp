@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/equations.hpp"
 
 namespace kinegraph::render::closure {
 
@@ -17,8 +18,7 @@ void PositionText::write_positions() {
         for (std::size_t k = 0; k < loop.through.size(); ++k)
             if (k == 0 || loop.through[k] != loop.through[k - 1])
                 through += (through.empty() ? "" : "–") + pen_.as_letter(loop.through[k]);
-        list_.say(Words("Loop {0} ({1}), real and imaginary part:", "Maglia {0} ({1}), parte reale e immaginaria:",
-                        std::to_string(i + 1), through));
+        list_.say(Words(lang::equations::loop_real_and_imaginary_part, std::to_string(i + 1), through));
         list_.set(both_sides(loop, [&](const Side& each) { return pen_.side(each); }));
         for (const bool sine : {false, true})
             list_.set(
@@ -27,14 +27,7 @@ void PositionText::write_positions() {
     }
     for (const Equations::Law& law : e_.laws) write_law(law);
     for (const JointIndex joint : e_.by_tangent)
-        list_.say(
-            Words("Of the contact {0} only the tangent is known. A slide along it stands for it: right for velocities "
-                  "in this "
-                  "position, not for accelerations.",
-                  "Del contatto {0} è nota solo la tangente. Lo sostituisce uno scorrimento lungo di essa: valido per "
-                  "le velocità "
-                  "in questa posizione, non per le accelerazioni.",
-                  mechanism_.joint(joint).name));
+        list_.say(Words(lang::equations::of_the_contact_only_the_tangent, mechanism_.joint(joint).name));
 }
 
 Formula PositionText::both_sides(const Equations::Loop& loop, const std::function<Signed(const Side&)>& of) const {
@@ -47,13 +40,11 @@ Formula PositionText::both_sides(const Equations::Loop& loop, const std::functio
 void PositionText::write_law(const Equations::Law& law) {
     const std::string joint = law.joint == none ? std::string() : mechanism_.joint(law.joint).name;
     if (law.kind == Equations::Law::Kind::rolling)
-        list_.say(Words("Rolling at {0}, counted from the drawn position:",
-                        "Rotolamento in {0}, contato dalla posizione disegnata:", joint));
+        list_.say(Words(lang::equations::rolling_at_counted_from_the_drawn, joint));
     else if (law.kind == Equations::Law::Kind::gear)
-        list_.say(Words("Gears at {0}, counted from the drawn position:",
-                        "Ingranaggio in {0}, contato dalla posizione disegnata:", joint));
+        list_.say(Words(lang::equations::gears_at_counted_from_the_drawn, joint));
     else
-        list_.say({"A driver of what has a coordinate already:", "Un movente di ciò che ha già una coordinata:"});
+        list_.say({lang::equations::a_driver_of_what});
     list_.set(equal(pen_.law_sum(law, [&](LetterIndex each) { return Formula::letter("Delta") + pen_.name(each); }),
                     Formula::upright("0")));
 }
@@ -64,22 +55,11 @@ void PositionText::write_solved(const Equations::Loop& loop, std::size_t index) 
         case Solved::Kind::turn_and_slide: return write_turn_and_slide(loop);
         case Solved::Kind::turn_with_slide: return write_turn_with_slide(loop, index);
         case Solved::Kind::turn_with_offset_slide: return write_turn_with_offset_slide(loop, index);
-        case Solved::Kind::two_slides:
-            return list_.say({"Both unknowns are lengths: the two equations are linear in them.",
-                              "Le due incognite sono lunghezze: le due equazioni sono lineari."});
-        case Solved::Kind::nothing:
-            return list_.say({"All its quantities are known already: it closes by itself.",
-                              "Tutte le sue grandezze sono già note: si chiude da sé."});
+        case Solved::Kind::two_slides: return list_.say({lang::equations::both_unknowns_are_lengths_the_two});
+        case Solved::Kind::nothing: return list_.say({lang::equations::all_its_quantities_are_known_already});
         case Solved::Kind::iterative:
-            if (stands_alone(index))
-                return list_.say({"Its unknowns have no closed form here: they are found by iteration (Newton).",
-                                  "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton)."});
-            return list_.say(
-                {"Its unknowns have no closed form here: they are found by iteration (Newton), together with the other "
-                 "loops’.",
-                 "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton), insieme a quelle "
-                 "delle altre "
-                 "maglie."});
+            if (stands_alone(index)) return list_.say({lang::equations::its_unknowns_have_no_closed_form});
+            return list_.say({lang::equations::its_unknowns_have_no_closed_form_here});
     }
 }
 
@@ -102,8 +82,7 @@ void PositionText::write_resultant(const Equations::Loop& loop, std::size_t inde
 }
 
 void PositionText::write_two_turns(const Equations::Loop& loop, std::size_t index) {
-    list_.say({"With what is known as one vector, the law of cosines gives both angles:",
-               "Raccolte le grandezze note in un vettore, il teorema del coseno dà i due angoli:"});
+    list_.say({lang::equations::with_what_is_known});
     write_resultant(loop, index);
     const Side &first = loop.sides[at_index(loop.solved.first)], &second = loop.sides[at_index(loop.solved.second)];
     const bool same = first.on_the_right == second.on_the_right;
@@ -138,12 +117,7 @@ void PositionText::write_turn_and_slide(const Equations::Loop& loop) {
         return Difference{of.angle.letters, second.angle.letters, of.angle.quarters - second.angle.quarters};
     };
     const std::vector<Side> known = pen_.known_sides(loop);
-    list_.say(
-        {"Projected square to the slide the loop gives the angle of the side that turns, projected along it the slide "
-         "itself:",
-         "Proiettando la maglia normalmente allo scorrimento si ricava l’angolo del lato che ruota, proiettandola "
-         "lungo di esso lo "
-         "scorrimento:"});
+    list_.say({lang::equations::projected_square_to_the_slide});
     write_sine(first, known, against);
     const int forth = first.on_the_right == second.on_the_right ? 1 : -1;
     std::vector<Signed> along;
@@ -198,8 +172,7 @@ void PositionText::write_sine(const Side& first, const std::vector<Side>& known,
 
 void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_t index) {
     const Side& first = loop.sides[at_index(loop.solved.first)];
-    list_.say(
-        {"The sliding side is what is known, as one vector:", "Il lato scorrevole è la somma delle grandezze note:"});
+    list_.say({lang::equations::the_sliding_side_is_what});
     write_resultant(loop, index);
     list_.set(equal(pen_.name(first.length), Formula::letter("p", pen_.numbered(index))) + Formula::upright(", ") +
               equal(pen_.angle(first.angle), Formula::letter("sigma", pen_.numbered(index))));
@@ -207,11 +180,7 @@ void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_
 
 void PositionText::write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index) {
     const Side &slide = loop.sides[at_index(loop.solved.first)], &arm = loop.sides[at_index(loop.solved.second)];
-    list_.say(Words(
-        "With what is known as one vector, the sliding side and the arm {0}, square to it, form a right triangle:",
-        "Raccolte le grandezze note in un vettore, il lato scorrevole e il braccio {0}, normale ad esso, formano un "
-        "triangolo rettangolo:",
-        pen_.spoken(arm.length)));
+    list_.say(Words(lang::equations::with_what_is_known_as_one_vector, pen_.spoken(arm.length)));
     write_resultant(loop, index);
     const Formula p = Formula::letter("p", pen_.numbered(index)),
                   sigma = Formula::letter("sigma", pen_.numbered(index));

@@ -8,18 +8,16 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/equations.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render::closure {
 
 void RateText::write_velocities() {
-    list_.heading({"Velocities", "Velocità"}, true);
+    list_.heading({lang::equations::velocities}, true);
     const std::string& unit = mechanism_.units.length.symbol;
-    list_.say(e_.loops.empty()
-                  ? Words("Differentiating the laws once, with entries in {0}, {0}/s and rad:",
-                          "Derivando una volta le leggi, con elementi in {0}, {0}/s e rad:", unit)
-                  : Words("Differentiating the loops once, with entries in {0}, {0}/s and rad:",
-                          "Derivando una volta le equazioni di maglia, con elementi in {0}, {0}/s e rad:", unit));
+    list_.say(e_.loops.empty() ? Words(lang::equations::differentiating_the_laws_once_with_entries, unit)
+                               : Words(lang::equations::differentiating_the_loops_once_with_entries, unit));
     for (const Equations::Loop& loop : e_.loops) list_.set(derived(loop, false));
     for (const Equations::Law& law : e_.laws)
         list_.set(
@@ -28,8 +26,8 @@ void RateText::write_velocities() {
 }
 
 void RateText::write_accelerations() {
-    list_.heading({"Accelerations", "Accelerazioni"}, true);
-    list_.say({"Differentiating once more; the matrix is the same:", "Derivando ancora; la matrice resta la stessa:"});
+    list_.heading({lang::equations::accelerations}, true);
+    list_.say({lang::equations::differentiating_once_more_the_matrix});
     for (const Equations::Loop& loop : e_.loops) list_.set(derived(loop, true));
     for (const Equations::Block& block : e_.blocks) write_block(block, 2);
 }
@@ -92,7 +90,8 @@ Formula RateText::matrix(const Equations::Block& block, bool symbols) const {
             entries.push_back(symbols ? joined(pen_.terms(e_.f_y[row][col]))
                                       : pen_.value(rounded(in_units(row, each, e_.jacobian[row][col]))));
         }
-    return Formula::matrix(std::move(entries), block.unknowns.size(), notation(pen_.language()).between_numbers);
+    return Formula::matrix(std::move(entries), block.unknowns.size(),
+                           notation(pen_.language()).between_numbers.c_str());
 }
 
 double RateText::rounded(double entry) const {
@@ -216,14 +215,13 @@ void RateText::write_in_parts(const Equations::Block& block) {
     }
     const std::size_t count = names.size();
     list_.set(equal(Formula::letter("J"),
-                    Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers)));
+                    Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers.c_str())));
 }
 
 void RateText::write_determinant(const Equations::Block& block) {
     const auto found = determinant(block);
     if (!found) {
-        list_.say(Words("{0} equations for {1} unknowns, of rank {2}.",
-                        "{0} equazioni per {1} incognite, di rango {2}.", std::to_string(block.rows.size()),
+        list_.say(Words(lang::equations::equations_for_unknowns_of_rank, std::to_string(block.rows.size()),
                         std::to_string(block.unknowns.size()), std::to_string(e_.rank)));
         return;
     }

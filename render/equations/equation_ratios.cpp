@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render::closure {
@@ -11,7 +12,7 @@ void RatioText::write_ratios() {
     for (std::size_t j = 0; j < e_.unknowns.size(); ++j)
         for (std::size_t k = 0; k < e_.free.size(); ++k) {
             if (!e_.ratios[j][k]) continue;
-            if (!std::exchange(told, true)) list_.heading({"Velocity ratios", "Rapporti di velocità"});
+            if (!std::exchange(told, true)) list_.heading({lang::equations::velocity_ratios});
             const LetterIndex of = e_.unknowns[j], by = e_.free[k];
             Formula line = equal(Formula::letter("Lambda", index_of(of, {by})), derivative(of, by));
             if (auto closed = closed_ratio(of, by)) line += Formula::sign("=") + *std::move(closed);

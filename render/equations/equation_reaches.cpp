@@ -4,13 +4,14 @@
 #include <string>
 
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/equations.hpp"
 
 namespace kinegraph::render::closure {
 
 void ReachText::write_reaches() {
     for (const Equations::Reach& reach : e_.reaches) {
         const std::string point = mechanism_.point(reach.point).name;
-        list_.heading(Words("Open chain to {0}", "Catena aperta fino a {0}", point));
+        list_.heading(Words(lang::equations::open_chain, point));
         std::vector<Signed> place, velocity;
         for (const Side& each : reach.sides) {
             const int sign = each.on_the_right ? -1 : 1;
@@ -42,9 +43,8 @@ bool ReachText::write_groups(const Equations::Reach& reach) {
     const std::vector<LetterIndex> others(letters.begin(), letters.end() - 1);
     const std::string point = mechanism_.point(reach.point).name;
     const BodyIndex observer = pen_.letter(own).against;
-    list_.say(Words("With the terms in {0} apart, as seen by an observer on body {1}: transport and relative motion:",
-                    "Separando i termini in {0}, per un osservatore sul corpo {1}: trascinamento e moto relativo:",
-                    pen_.spoken(own), observer == none ? std::string("?") : mechanism_.body(observer).name));
+    list_.say(Words(lang::equations::with_the_terms_in_apart, pen_.spoken(own),
+                    observer == none ? std::string("?") : mechanism_.body(observer).name));
     Group transport, relative, coriolis;
     std::vector<Signed> v_t, v_r;
     std::array<double, 2> vt{0, 0}, vr{0, 0};
@@ -77,7 +77,9 @@ bool ReachText::write_groups(const Equations::Reach& reach) {
                           const std::array<double, 2>& of, QuantityKind quantity) {
         list_.set(equal(Formula::letter(symbol, kind), joined(terms)) + Formula::sign("=") + complex(of, quantity));
     };
-    const std::string t = pen_.in({"tr", "tr"}), r = pen_.in({"rel", "rel"}), c = pen_.in({"Cor", "Cor"});
+    const std::string t = pen_.in({lang::equations::mark_of_transport}),
+                      r = pen_.in({lang::equations::mark_of_relative}),
+                      c = pen_.in({lang::equations::mark_of_coriolis});
     line("v", t, v_t, vt, QuantityKind::velocity);
     line("v", r, v_r, vr, QuantityKind::velocity);
     line("a", t, transport.terms, transport.value, QuantityKind::acceleration);

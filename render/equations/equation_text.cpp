@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/keys/equations.hpp"
 #include "render/equations/equation_chapters.hpp"
 #include "render/equations/equation_pen.hpp"
 #include "render/text/formula.hpp"
@@ -54,12 +55,11 @@ std::vector<EquationItem> answered(const Solution& solution, Language language) 
 std::vector<EquationItem> equation_items(const Solution& solution, Language language) {
     if (!solution.equations) return {};
     if (!solution.equations->why_not.empty())
-        return {
-            {EquationItem::Kind::heading, in(Words("Closure equations", "Equazioni di chiusura"), language), {}, {}},
-            {EquationItem::Kind::words,
-             in(Words("There are none: {0}.", "Non ce ne sono: {0}.", solution.equations->why_not), language),
-             {},
-             {}}};
+        return {{EquationItem::Kind::heading, in(Words(lang::equations::closure_equations), language), {}, {}},
+                {EquationItem::Kind::words,
+                 in(Words(lang::equations::there_are_none, solution.equations->why_not), language),
+                 {},
+                 {}}};
     return worked_out(solution, language);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/equations.hpp"
 #include "render/text/expression_formula.hpp"
 #include "render/text/formula.hpp"
 
@@ -68,8 +69,7 @@ protected:
             if (each.name.empty()) continue;
             const Formula letter = formula_of(each, Language::en);
             const Words value = said_constant(each);
-            all += Words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", all.empty() ? "{0} = {1}" : ",  {0} = {1}",
-                         marked(letter), value);
+            all += formula_words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", {marked(letter), value});
         }
         return all.empty() ? all : all + std::string(".");
     }
@@ -116,7 +116,7 @@ protected:
     Words time(const Exact& si) const { return amount(si.to_double(), QuantityKind::time, mechanism_.units, as_given); }
     Words place_words(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
-        return {"({0}, {1}) {2}", "({0}; {1}) {2}", numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),
+        return {lang::equations::place_with_unit, numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),
                 mechanism_.units.length.symbol};
     }
     std::string place(const Vector& v) const { return in(place_words(v), language_); }
@@ -132,7 +132,7 @@ public:
     PointText(const Solution& solution, Language language) : PointPhrases(solution, language) {}
 
     PointSection given() const {
-        PointSection section{"given", {"Given", "Dati"}, {}, {}};
+        PointSection section{"given", {lang::equations::heading_given}, {}, {}};
         section.sentences.emplace_back(sentence_of_form());
         for (std::size_t i = 0; i < problem_.laws.size(); ++i)
             add(section, equation(law_letter(i, 0),
@@ -141,20 +141,17 @@ public:
             add(section,
                 equation(Formula::letter("y"), expression(found_.of_path->by_order[0], "x") + unit_of(graph->f.law)));
         if (const Words constants = said_constants(); !constants.empty()) section.sentences.push_back(constants);
-        section.sentences.emplace_back("The instant is {t} = {0}, the interval {1} … {2}.",
-                                       "L’istante è {t} = {0}, l’intervallo {1} … {2}.", time(problem_.at),
+        section.sentences.emplace_back(lang::equations::the_instant_is_t_the_interval, time(problem_.at),
                                        time(problem_.from), time(problem_.to));
         return section;
     }
 
     /// Each law, its derivatives in symbols, and their values at the instant.
     PointSection derivatives() const {
-        PointSection section{"derivatives", {"Derivatives", "Derivate"}, {}, {}};
+        PointSection section{"derivatives", {lang::equations::derivatives}, {}, {}};
         section.sentences.emplace_back(problem_.form == Form::path
-                                           ? Words("The law of the way is derived twice by the time:",
-                                                   "La legge oraria si deriva due volte rispetto al tempo:")
-                                           : Words("The laws are derived twice by the time:",
-                                                   "Le leggi si derivano due volte rispetto al tempo:"));
+                                           ? Words(lang::equations::the_law_of_the_way)
+                                           : Words(lang::equations::the_laws_are_derived_twice));
         for (int order = 1; order <= 2; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i) {
                 if (problem_.laws[i].text.empty()) continue;
@@ -164,9 +161,7 @@ public:
                                                                                 problem_.at.to_double(), order))));
             }
         if (!found_.of_path) return section;
-        section.sentences.emplace_back("The curve is derived by {x}, which at this instant is {x} = {0}:",
-                                       "La curva si deriva rispetto a {x}, che in questo istante vale {x} = {0}:",
-                                       length(found_.place.x.to_double()));
+        section.sentences.emplace_back(lang::equations::the_curve_is_derived_by_x, length(found_.place.x.to_double()));
         const auto& graph = *path<GraphPath>();
         for (int order = 1; order <= 2; ++order) {
             const auto k = static_cast<std::size_t>(order);
@@ -184,10 +179,8 @@ public:
 
     /// Position, velocity and acceleration in coordinates, in polar components and as complex numbers.
     PointSection forms() const {
-        PointSection section{"forms", {"Three forms", "Tre forme"}, {}, {}};
-        section.sentences.emplace_back(
-            "In coordinates, in components along the radius and across it, and as a complex number:",
-            "In coordinate, in componenti radiale e trasversale, e come numero complesso:");
+        PointSection section{"forms", {lang::equations::three_forms}, {}, {}};
+        section.sentences.emplace_back(lang::equations::in_coordinates_in_components_along);
         const Formula r = Formula::letter("r"), theta = Formula::letter("theta");
         const auto dots = [](const char* name, int count) { return Formula::letter(name, "", count); };
         add(section, equation(Formula::letter("v", "r"), dots("r", 1)) + upright(",  ") +
@@ -213,34 +206,22 @@ public:
     }
 
     PointSection hodograph() const {
-        PointSection section{"hodograph", {"Hodograph", "Odografa"}, {}, {}};
-        section.sentences.emplace_back(
-            "The velocities, drawn from one origin {o}, end on the hodograph. Its point moves with the velocity {a}, "
-            "so {a} is tangent to it.",
-            "Le velocità, riportate da un’unica origine {o}, terminano sull’odografa. Il suo punto si muove con "
-            "velocità {a}, che le è quindi tangente.");
+        PointSection section{"hodograph", {lang::equations::hodograph}, {}, {}};
+        section.sentences.emplace_back(lang::equations::the_velocities_drawn_from_one_origin);
         return section;
     }
 
     /// `at_the_board`: includes the construction of the centre of curvature that a figure shows.
     PointSection intrinsic(bool at_the_board) const {
-        PointSection section{"curvature", {"Tangent, normal, curvature", "Tangente, normale, curvatura"}, {}, {}};
+        PointSection section{"curvature", {lang::equations::tangent_normal_curvature}, {}, {}};
         if (found_.rests) {
-            section.sentences.emplace_back(
-                "{v} = 0 at this instant: the point rests, and tangent and normal are not defined. Its acceleration is "
-                "{a} = {0}.",
-                "In questo istante {v} = 0: il punto è fermo, tangente e normale non sono definite. La sua "
-                "accelerazione è {a} = {0}.",
-                acceleration(found_.acceleration_length));
+            section.sentences.emplace_back(lang::equations::v_0_at_this_instant,
+                                           acceleration(found_.acceleration_length));
             return section;
         }
         const Formula v = Formula::letter("v"), a = Formula::letter("a");
-        section.sentences.emplace_back(
-            "The tangent {t} goes with the velocity, {v} = {0}; the normal {n} points into the curve. The projections "
-            "of {a} = {1} on them, at the board by parallels through its tip, are",
-            "La tangente {t} è diretta come la velocità, {v} = {0}; la normale {n} è volta verso il concavo. Le "
-            "proiezioni di {a} = {1} su di esse, condotte dall’estremo di {a} le parallele, sono",
-            speed(found_.speed), acceleration(found_.acceleration_length));
+        section.sentences.emplace_back(lang::equations::the_tangent_t_goes, speed(found_.speed),
+                                       acceleration(found_.acceleration_length));
         const auto dot = [](int order) { return Formula::letter("v", "", order); };
         add(section, equation(Formula::letter("a", "t"), dot(1)) + sign("=") +
                          Formula::fraction(product("x") + sign("+") + product("y"), v) + sign("=") +
@@ -252,22 +233,10 @@ public:
                 Formula::fraction(upright("|") + crossed("x", "y") + sign("−") + crossed("y", "x") + upright("|"), v) +
                 sign("=") + upright(said(found_.across, QuantityKind::acceleration)));
         if (found_.straight) {
-            section.sentences.emplace_back(
-                "{a_n} = 0: the radius of curvature is infinite, here the path is straight.",
-                "{a_n} = 0: il raggio di curvatura è infinito, qui la traiettoria è rettilinea.");
+            section.sentences.emplace_back(lang::equations::a_n_0_the_radius);
             return section;
         }
-        if (at_the_board)
-            section.sentences.emplace_back(
-                "At the board: −{a_n} is laid off from {0} to {N}′ and {v} to {V}. The perpendicular to {N}′{V} at {V} "
-                "cuts the normal in the centre of curvature {C}, for the triangles {0}{N}′{V} and {0}{V}{C} are "
-                "similar: {ρ} : {v} = {v} : {a_n}. With the scales of velocity and acceleration {k_v}, {k_a} that of "
-                "lengths is {k_v^2}/{k_a}.",
-                "Graficamente: si riportano −{a_n} da {0} in {N}′ e {v} in {V}. La perpendicolare a {N}′{V} in {V} "
-                "taglia la normale nel centro di curvatura {C}, perché i triangoli {0}{N}′{V} e {0}{V}{C} sono simili: "
-                "{ρ} : {v} = {v} : {a_n}. Con le scale delle velocità e delle accelerazioni {k_v}, {k_a} quella delle "
-                "lunghezze è {k_v^2}/{k_a}.",
-                "{" + problem_.point + "}");
+        if (at_the_board) section.sentences.emplace_back(lang::equations::at_the_board_a_n, "{" + problem_.point + "}");
         add(section, equation(Formula::letter("rho"),
                               Formula::fraction(Formula::power(v, upright("2")), Formula::letter("a", "n"))) +
                          sign("=") + upright(said(found_.radius, QuantityKind::length)) + upright(",  ") +
@@ -276,58 +245,37 @@ public:
     }
 
     PointSection course() const {
-        PointSection section{"course", {"Over the interval", "Nell’intervallo"}, {}, {}};
+        PointSection section{"course", {lang::equations::over_the_interval}, {}, {}};
         const PointMotionSolution::At& last = found_.course.back();
-        section.sentences.emplace_back("At the instant the way is {s} = {0}, at the end of the interval {1}.",
-                                       "Nell’istante l’ascissa curvilinea è {s} = {0}, alla fine dell’intervallo {1}.",
-                                       length(found_.way), length(last.way));
+        section.sentences.emplace_back(lang::equations::at_the_instant_the_way, length(found_.way), length(last.way));
         return section;
     }
 
 private:
     Words sentence_of_form() const {
         switch (problem_.form) {
-            case Form::cartesian:
-                return {"The point {0} moves in the plane by its coordinates as functions of the time,",
-                        "Il punto {0} si muove nel piano; le sue coordinate sono funzioni del tempo,", name()};
-            case Form::polar:
-                return {
-                    "The point {0} moves in the plane; the length of its radius from {O} and the angle of that are "
-                    "functions of the time,",
-                    "Il punto {0} si muove nel piano; il raggio vettore da {O} e la sua anomalia sono funzioni del "
-                    "tempo,",
-                    name()};
+            case Form::cartesian: return {lang::equations::the_point_moves_in_the_plane, name()};
+            case Form::polar: return {lang::equations::the_point_moves_in_the_plane_the, name()};
             case Form::path: break;
         }
         if (const auto* circle = path<CirclePath>())
-            return {
-                "The point {0} moves along the circle of radius {R} = {1} about {2}; {s} is counted from the angle "
-                "{3}, counter-clockwise,",
-                "Il punto {0} percorre la circonferenza di raggio {R} = {1} e centro {2}; {s} si conta dall’angolo {3} "
-                "in senso antiorario,",
-                name(),
-                amount(circle->radius.to_double(), QuantityKind::length, mechanism_.units, as_given),
-                place_words(circle->centre),
-                amount(circle->start.to_double(), QuantityKind::angle, mechanism_.units, 5)};
+            return {lang::equations::the_point_moves_along_the_circle, name(),
+                    amount(circle->radius.to_double(), QuantityKind::length, mechanism_.units, as_given),
+                    place_words(circle->centre),
+                    amount(circle->start.to_double(), QuantityKind::angle, mechanism_.units, 5)};
         if (const auto* line = path<LinePath>())
-            return {"The point {0} moves along the line from {1} in the direction {2}; {s} is counted from there,",
-                    "Il punto {0} percorre la retta che parte da {1} con inclinazione {2}; {s} si conta da lì,", name(),
-                    place_words(line->from),
+            return {lang::equations::the_point_moves_along_the_line, name(), place_words(line->from),
                     amount(std::atan2(line->direction.y.to_double(), line->direction.x.to_double()),
                            QuantityKind::angle, mechanism_.units, 5)};
-        return {
-            "The point {0} moves along a curve {y}({x}); {s} is counted along it from {x} = {1} on, in the sense of "
-            "growing {x},",
-            "Il punto {0} percorre una curva {y}({x}); {s} si conta lungo di essa da {x} = {1}, nel verso delle {x} "
-            "crescenti,",
-            name(), amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};
+        return {lang::equations::the_point_moves_along_a_curve, name(),
+                amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};
     }
 
     std::vector<std::vector<Formula>> table() const {
-        const bool en = language_ == Language::en;
         std::vector<std::vector<Formula>> rows;
-        rows.push_back({upright(""), upright(en ? "cartesian" : "cartesiana"), upright(en ? "polar" : "polare"),
-                        upright(en ? "complex" : "complessa")});
+        rows.push_back({upright(""), upright(word(lang::equations::cartesian, language_)),
+                        upright(word(lang::equations::polar, language_)),
+                        upright(word(lang::equations::complex, language_))});
         const auto row = [&](Formula letter, const Vector& v, QuantityKind kind, const std::array<double, 2>& polar,
                              bool is_place) {
             const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);

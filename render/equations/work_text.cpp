@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -31,7 +32,7 @@ protected:
     WorkFormulas(const Solution& solution, Language language)
         : solution_(solution), mechanism_(solution.mechanism), found_(*solution.displacements), language_(language) {}
 
-    std::string in(const Words& words) const { return render::in(words, language_); }
+    std::string in(const Words& words) const { return kinegraph::in(words, language_); }
     Formula upright(const std::string& text) const { return Formula::upright(text); }
     Formula number_of(double value) const { return upright(render::number(value, digits_of_work, language_)); }
     std::string written(double value) const { return render::number(value, digits_of_work, language_); }
@@ -127,10 +128,9 @@ public:
     WorkText(const Solution& solution, Language language) : WorkFormulas(solution, language) {}
 
     std::vector<EquationItem> items() {
-        items_.push_back({Kind::heading, in(Words("Virtual work", "Lavori virtuali")), {}, {}, true});
+        items_.push_back({Kind::heading, in(Words(lang::equations::virtual_work)), {}, {}, true});
         if (!found_.why_not.empty()) {
-            say(Words("There are no virtual displacements: {0}.", "Non ci sono spostamenti virtuali: {0}.",
-                      found_.why_not));
+            say(Words(lang::equations::there_are_no_virtual_displacements, found_.why_not));
             return std::move(items_);
         }
         for (std::size_t i = 0; i < found_.freedoms.size(); ++i) write_drawn(i);
@@ -152,47 +152,32 @@ private:
         say_what_moves(freedom);
         const VirtualWork& work = *freedom.moved->virtual_work;
         const Formula q = coordinate(freedom, true);
-        std::vector<std::vector<Formula>> rows{
-            {upright(in({"action", "azione"})), upright(in({"on body", "sul corpo"})),
-             with_unit(Formula::letter("F"), mechanism_.units.force.symbol) + upright("  " + in({"or", "o"}) + " ") +
-                 with_unit(Formula::letter("M"), mechanism_.units.moment.symbol),
-             upright(in({"displaced by", "spostamento"})),
-             upright(in({"work", "lavoro"}) + ", " + work_unit().symbol)}};
+        std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::action})),
+                                                upright(in({lang::equations::on_body})),
+                                                with_unit(Formula::letter("F"), mechanism_.units.force.symbol) +
+                                                    upright("  " + in({lang::equations::or_word}) + " ") +
+                                                    with_unit(Formula::letter("M"), mechanism_.units.moment.symbol),
+                                                upright(in({lang::equations::displaced_by})),
+                                                upright(in({lang::equations::work}) + ", " + work_unit().symbol)}};
         for (const Entry& entry : work.entries) {
             if (!entry.force.is_zero()) rows.push_back(force_row(entry, q));
             if (!entry.couple.is_zero()) rows.push_back(couple_row(entry, q));
         }
         for (const Share& share : work.shares) rows.push_back(share_row(share, q));
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
-        say({"Ideal pairs do no work, so what acts from outside does none:",
-             "Le coppie ideali non compiono lavoro, quindi il lavoro delle azioni esterne è nullo:"});
+        say({lang::equations::ideal_pairs_do_no_work});
         set(Formula::letter("delta") + Formula::letter("L") + Formula::sign("=") + symbols(work) + Formula::sign("=") +
             upright("0"));
         set(numbers(work.total.to_double(), work, q) + Formula::sign("=") + upright("0"));
     }
     void say_what_moves(const Displacements::Freedom& freedom) {
         const std::string others =
-            found_.freedoms.size() > 1
-                ? in({" The other coordinates are held still.", " Le altre coordinate sono tenute ferme."})
-                : std::string();
+            found_.freedoms.size() > 1 ? in({lang::equations::the_other_coordinates_are_held_still}) : std::string();
         const auto said = [&](const Words& words) { items_.push_back({Kind::words, in(words) + others, {}, {}}); };
         if (freedom.chosen)
-            said(Words(
-                "Constraints held as they stand, the mechanism is displaced along its freedom {0}; the displacements "
-                "are those of the figure, in proportion to it.",
-                "Fissati i vincoli all’istante considerato, si sposta il meccanismo secondo il suo grado di libertà "
-                "{0}; gli "
-                "spostamenti sono quelli della figura, a esso proporzionali.",
-                spoken(freedom)));
+            said(Words(lang::equations::constraints_held_as_they_stand, spoken(freedom)));
         else
-            said(
-                Words("Constraints held as they stand, the driven coordinate is displaced by {0}; the displacements "
-                      "are those of "
-                      "the figure, in proportion to it.",
-                      "Fissati i vincoli all’istante considerato, si sposta di {0} la coordinata del movente; gli "
-                      "spostamenti sono "
-                      "quelli della figura, a essa proporzionali.",
-                      spoken(freedom)));
+            said(Words(lang::equations::constraints_held_as_they_stand_the_driven, spoken(freedom)));
     }
     std::vector<Formula> force_row(const Entry& entry, const Formula& q) {
         const double fx = entry.force.x.to_double() / mechanism_.units.force.si.to_double(),
@@ -279,37 +264,23 @@ private:
 
     void write_efforts() {
         if (found_.efforts.empty()) {
-            say(found_.balanced
-                    ? Words("The sum vanishes for every displacement: the loads are in equilibrium.",
-                            "La somma è nulla per ogni spostamento: i carichi sono in equilibrio.")
-                    : Words("The sum does not vanish: the loads are not in equilibrium, and no effort balances them.",
-                            "La somma non è nulla: i carichi non sono in equilibrio, e nessuna azione li equilibra."));
+            say(found_.balanced ? Words(lang::equations::the_sum_vanishes_for_every_displacement)
+                                : Words(lang::equations::the_sum_does_not_vanish));
             return;
         }
-        if (!found_.balanced)
-            return say(
-                {"No effort makes all the works vanish: the loads are not in equilibrium.",
-                 "Nessun valore delle azioni incognite annulla tutti i lavori: i carichi non sono in equilibrio."});
+        if (!found_.balanced) return say({lang::equations::no_effort_makes_all_the_works});
         const bool all =
             std::all_of(found_.efforts.begin(), found_.efforts.end(), [](const auto& each) { return each.value; });
         if (all)
             say(found_.freedoms.size() > 1
-                    ? Words("As the coordinates are independent, every bracket vanishes, and together they give:",
-                            "Poiché le coordinate sono indipendenti, ogni parentesi è nulla, e dal sistema si ottiene:")
-                    : Words("As {0} is arbitrary, the bracket vanishes:",
-                            "Poiché {0} è arbitrario, la parentesi è nulla:", spoken(found_.freedoms.front())));
+                    ? Words(lang::equations::as_the_coordinates_are_independent_every)
+                    : Words(lang::equations::as_is_arbitrary_the_bracket_vanishes, spoken(found_.freedoms.front())));
         for (const Displacements::Effort& effort : found_.efforts) {
             const Formula symbol = force(symbol_of(effort.given));
             if (effort.value) {
                 set(symbol + Formula::sign("=") + upright(amount_of(effort.given, effort.value->to_double())));
             } else {
-                say(
-                    Words("The work of {0} leaves it open: it does none in these displacements, or shares it with "
-                          "another effort.",
-                          "Il lavoro di {0} non la determina: è nullo in questi spostamenti, o si confonde con quello "
-                          "di un’altra "
-                          "azione.",
-                          "{" + name_of(symbol_of(effort.given)) + "}"));
+                say(Words(lang::equations::the_work_of_leaves_it_open, "{" + name_of(symbol_of(effort.given)) + "}"));
             }
         }
     }
@@ -321,32 +292,26 @@ private:
         if (!std::all_of(found_.freedoms.begin(), found_.freedoms.end(),
                          [](const auto& each) { return each.equations->why_not.empty(); }))
             return;
-        items_.push_back(
-            {Kind::heading, in(Words("The same by velocity ratios", "Lo stesso con i rapporti di velocità")), {}, {}});
+        items_.push_back({Kind::heading, in(Words(lang::equations::the_same_by_velocity_ratios)), {}, {}});
         for (const Displacements::Freedom& freedom : found_.freedoms) write_ratios_of(freedom);
         if (found_.efforts.empty()) return;
         bool said = false;
         for (const Displacements::Effort& effort : found_.efforts) {
             if (!effort.ratio) continue;
-            if (!std::exchange(said, true)) say({"Set to zero:", "Annullando:"});
+            if (!std::exchange(said, true)) say({lang::equations::set_to_zero});
             set(force(symbol_of(effort.given)) + Formula::sign("=") + upright(amount_of(effort.given, *effort.ratio)));
         }
     }
     void write_ratios_of(const Displacements::Freedom& freedom) {
         turn_ = is_turn(freedom.driver);
         const VirtualWork& work = *freedom.moved->virtual_work;
-        say(
-            Words("The closure equations give {Λ} = d/d{0} of every coordinate without a drawing: x and y of the "
-                  "points where forces "
-                  "act, {θ} of the bodies that bear couples.",
-                  "Le equazioni di chiusura danno senza disegno {Λ} = d/d{0} di ogni coordinata: x e y dei punti "
-                  "d’applicazione delle "
-                  "forze, {θ} dei corpi soggetti a coppie.",
+        say(Words(lang::equations::the_closure_equations_give_d_d,
                   "{" + unicode_letter(letter_of(mechanism_, freedom.driver).first) + "_" +
                       letter_of(mechanism_, freedom.driver).second + "}"));
-        std::vector<std::vector<Formula>> rows{
-            {upright(in({"action", "azione"})), upright(in({"ratios", "rapporti"})),
-             upright(in({"work", "lavoro"}) + " / ") + coordinate(freedom, true) + upright(", " + work_unit().symbol)}};
+        std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::action})),
+                                                upright(in({lang::equations::ratios})),
+                                                upright(in({lang::equations::work}) + " / ") +
+                                                    coordinate(freedom, true) + upright(", " + work_unit().symbol)}};
         const Equations& equations = *freedom.equations;
         for (const Entry& entry : work.entries) {
             const auto own = work_by_ratios(equations, entry);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/utf8.hpp"
 
@@ -45,7 +46,7 @@ RichText scale_words(const DrawingContext& context, const Figure& figure) {
 double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
                    double width) {
     const Theme& theme = context.theme;
-    RichText text = one_piece(word("figure", context.language) + " " + std::to_string(number), Face::bold);
+    RichText text = one_piece(word(lang::sheet::figure, context.language) + " " + std::to_string(number), Face::bold);
     append(text, one_piece("   "));
     append(text, figure.caption);
     ShapedLine caption = context.fonts.shape(text, theme.label);

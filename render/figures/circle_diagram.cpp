@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 
@@ -30,7 +31,7 @@ public:
         figure.id = "circle-diagram";
         figure.unit = "mm";
         figure.has_scale = false;
-        figure.caption = one_piece(word("circle diagram", context_.language));
+        figure.caption = one_piece(word(lang::sheet::circle_diagram, context_.language));
         figure.marks.emplace_back(
             GroupBegin{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.kind}}});
         draw_circle(figure.marks);

@@ -8,6 +8,7 @@
 
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/bindings.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -389,7 +390,7 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
         CurvatureSketch drawn(sketch, found, extent);
         drawn.draw();
         Figure figure = sketch.finish("curvature", "curvature-" + body, "m");
-        figure.caption = one_piece(word("curvature of body", context.language) + " " + body);
+        figure.caption = one_piece(word(lang::sheet::curvature_of_body, context.language) + " " + body);
         figure.axes = std::move(drawn.axes);
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, mechanism.units.length, trial.strict);
         return figure;

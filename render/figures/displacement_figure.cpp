@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/solution/displacements.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
@@ -156,7 +157,7 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
         name_points(sketch);
         Figure figure = sketch.finish("displacements", name, is_turn(freedom.driver) ? "m/rad" : "m/m");
         figure.scale = scale;
-        figure.caption = one_piece(word("virtual displacements", context.language) + " ");
+        figure.caption = one_piece(word(lang::sheet::virtual_displacements, context.language) + " ");
         append(figure.caption, displaced_coordinate(moved.mechanism, freedom.driver));
         sketch.close(figure, {room_x, room_y}, trial.last, scale, unit, trial.strict);
         return figure;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/mechanism/compound_units.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/exercise_figure.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -214,7 +215,7 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     name_points(sketch);
     drawing.say_masses();
     Figure figure = sketch.finish("mechanism", "mechanism", "m");
-    figure.caption = one_piece(word("mechanism and its data", context.language));
+    figure.caption = one_piece(word(lang::sheet::mechanism_and_its_data, context.language));
     Spot room = ground.room;
     if (ground.within) {
         // Names and scale bar are placed in the area, near the mechanism.

@@ -7,6 +7,7 @@
 
 #include "engine/solution/bindings.hpp"
 #include "engine/solution/shifts.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
@@ -659,14 +660,15 @@ void show_only(Subject& subject, const FreeBody& body) {
 /// "Loads alone on body 3".
 std::string words_of_load(const DrawingContext& context, const std::string& load) {
     const bool body = context.solution.mechanism.body_named(load).has_value();
-    return word("loads alone", context.language) + " " +
-           word(body ? "loads of body" : "loads of pin", context.language) + " " + load;
+    return word(lang::sheet::loads_alone, context.language) + " " +
+           word(body ? lang::sheet::loads_of_body : lang::sheet::loads_of_pin, context.language) + " " + load;
 }
 
 /// The name of a free body: "2", "2: connecting rod", "pin B"; for the loads of one body alone with that body.
 RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name,
                     const std::string& load) {
-    RichText caption = one_piece(word(body.body != none ? "free body" : "free pin", context.language) + " " + name);
+    RichText caption = one_piece(
+        word(body.body != none ? lang::sheet::free_body : lang::sheet::free_pin, context.language) + " " + name);
     if (!load.empty()) {
         std::string words = words_of_load(context, load);
         words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
@@ -811,7 +813,7 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
 
 /// The caption for all loads or for those of one body alone.
 RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
-    return one_piece(load.empty() ? word("mechanism and lines of action", context.language)
+    return one_piece(load.empty() ? word(lang::sheet::mechanism_and_lines_of_action, context.language)
                                   : words_of_load(context, load));
 }
 

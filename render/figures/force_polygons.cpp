@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -67,8 +68,8 @@ public:
         Figure figure;
         figure.kind = joined ? "closure" : "forces";
         figure.id = legal_id(scene_.id);
-        figure.caption =
-            one_piece(word(joined && !is_open() ? "closed force polygon" : "force polygon", context_.language));
+        figure.caption = one_piece(word(
+            joined && !is_open() ? lang::sheet::closed_force_polygon : lang::sheet::force_polygon, context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
         open_group(figure);
@@ -306,12 +307,12 @@ private:
     /// Named by a body or a pin, by bodies taken together, or by the force whose parts are added.
     void name(Item& item, bool with_tables) const {
         const Solution& solution = context_.solution;
-        const auto titled = [&](const char* what, const std::string& name) {
+        const auto titled = [&](Key what, const std::string& name) {
             return one_piece(capital(word(what, context_.language) + " " + name), Face::bold);
         };
         for (const FreeBody& body : solution.free_bodies) {
             if (body.polygon != item.polygon) continue;
-            item.title = titled(body.body != none ? "body" : "pin", body_name(body));
+            item.title = titled(body.body != none ? lang::sheet::body : lang::sheet::pin, body_name(body));
             item.body = body.body;
             item.statement = body.statement;
             if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context_, body, false);
@@ -319,8 +320,8 @@ private:
         for (const TakenTogether& together : solution.taken_together)
             if (together.polygon == item.polygon) {
                 item.title = is_truss_whole(solution)
-                                 ? one_piece(capital(word("truss whole", context_.language)), Face::bold)
-                                 : titled("bodies together", names_of(solution.mechanism, together));
+                                 ? one_piece(capital(word(lang::sheet::truss_whole, context_.language)), Face::bold)
+                                 : titled(lang::sheet::bodies_together, names_of(solution.mechanism, together));
                 item.statement = together.statement;
             }
         if (!solution.superposition) return;
@@ -395,13 +396,14 @@ private:
         set_scale_bar(context_, all, 24, {all.box.min.x, all.box.max.y + 3});
         return all;
     }
-    std::string caption() const {
-        if (id_ == "sums") return "sums of partial forces";
+    Key caption() const {
+        if (id_ == "sums") return lang::sheet::sums_of_partial_forces;
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
             return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
                    !item.drawing.flat() && !item.drawing.is_open();
         });
-        return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
+        if (items_.size() == 1) return triangles ? lang::sheet::force_triangle : lang::sheet::force_polygon;
+        return triangles ? lang::sheet::force_triangles : lang::sheet::force_polygons;
     }
     /// Returns the top of the next row.
     double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double y) const {

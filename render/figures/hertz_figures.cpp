@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/hertz.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"
@@ -42,9 +43,8 @@ public:
     }
 
     Figure draw() {
-        const Words caption = problem_.at && problem_.at->meshes ? Words("Flanks at the pitch point, as cylinders",
-                                                                         "Fianchi nel punto primitivo, come cilindri")
-                                                                 : Words("Bodies in contact", "Corpi a contatto");
+        const Words caption = problem_.at && problem_.at->meshes ? Words(lang::hertz::flanks_at_the_pitch_point)
+                                                                 : Words(lang::hertz::bodies_in_contact);
         Figure figure = begun("contact", "contact", caption, scale_, "m", context_.language);
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, profiles_.at(i), i == 0 ? -1 : 1);
         figure.marks.emplace_back(
@@ -186,7 +186,7 @@ public:
     }
 
     Figure draw() {
-        const Words caption("Pressure, and plan of the contact", "Pressione, e pianta del contatto");
+        const Words caption(lang::hertz::pressure_and_plan_of_the_contact);
         Figure figure = begun("pressure", "pressure", caption, scale_, "m", context_.language);
         figure.further_scale = "1 mm ≙ " + shortest(pressure_scale_, context_.language) + " " + pressure_unit_.symbol;
         const double half = half_ / scale_, high = pressure(1);
@@ -313,7 +313,7 @@ Figure hertz_stress_figure(const DrawingContext& context, double room_x, double 
     const double per_stress = stress.si.to_double(), per_depth = depth.si.to_double();
     XyPlot plot;
     plot.id = "stresses";
-    const Words caption("Stresses below the middle of the contact", "Tensioni sotto il centro del contatto");
+    const Words caption(lang::hertz::stresses_below_the_middle);
     plot.caption = one_piece(in(caption, context.language));
     plot.x_name = symbol_of("z");
     plot.x_unit = depth.symbol;

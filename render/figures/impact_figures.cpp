@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/impact.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"
@@ -53,10 +55,10 @@ public:
 
     Figure draw() {
         Figure figure = moment_ == Moment::before
-                            ? begun("contact", "contact", {"Bodies, and velocities before", "Corpi, e velocità prima"},
-                                    scale_, "m", context_.language)
-                            : begun("contact", "contact-after", {"Velocities after the impact", "Velocità dopo l’urto"},
-                                    scale_, "m", context_.language);
+                            ? begun("contact", "contact", {lang::impact::bodies_and_velocities_before}, scale_, "m",
+                                    context_.language)
+                            : begun("contact", "contact-after", {lang::impact::velocities_after_the_impact}, scale_,
+                                    "m", context_.language);
         const Unit& unit = context_.solution.mechanism.units.velocity;
         figure.further_scale =
             "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
@@ -393,8 +395,7 @@ Figure impact_after_figure(const DrawingContext& context, double room_x, double 
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y) {
     const ImpactSolution& found = solution_of<ImpactSolution>(context);
     const ImpactProblem& problem = problem_of<ImpactProblem>(context);
-    VelocityPlane plane(context, "velocities", {"Velocities of the centres", "Velocità dei baricentri"},
-                        {room_x, room_y});
+    VelocityPlane plane(context, "velocities", {lang::impact::velocities_of_the_centres}, {room_x, room_y});
     for (std::size_t i = 0; i < 2; ++i) {
         const ImpactSolution::Body& body = found.bodies.at(i);
         if (body.fixed) continue;
@@ -411,8 +412,7 @@ Figure impact_velocities_figure(const DrawingContext& context, double room_x, do
 Figure impact_restitution_figure(const DrawingContext& context, double room_x, double room_y) {
     const ImpactSolution& found = solution_of<ImpactSolution>(context);
     const Theme& theme = context.theme;
-    VelocityPlane plane(context, "restitution", {"Relative velocity at the contact", "Velocità relativa nel contatto"},
-                        {room_x, room_y});
+    VelocityPlane plane(context, "restitution", {lang::impact::relative_velocity_at_the_contact}, {room_x, room_y});
     const Vector before = found.bodies[0].contact_before - found.bodies[1].contact_before;
     const Vector after = found.bodies[0].contact_after - found.bodies[1].contact_after;
     const Exact square = squared_length(found.normal);
@@ -435,13 +435,13 @@ Figure impact_routh_figure(const DrawingContext& context, double room_x, double 
     const double size = kinegraph::length(found.normal), f = found.friction.to_double();
     XyPlot plot;
     plot.id = "routh";
-    const Words caption("Routh’s diagram of impulses", "Diagramma degli impulsi di Routh");
+    const Words caption(lang::impact::routh_diagram_of_impulses);
     plot.caption = one_piece(in(caption, context.language));
     plot.x_name = symbol_of("J_n");
     plot.y_name = symbol_of("J_t");
     plot.x_unit = "N s";
     plot.y_unit = "N s";
-    XyCurve path{one_piece(in(Words("path", "cammino"), context.language)), "path", {{0, 0}}};
+    XyCurve path{one_piece(in(Words(lang::impact::path), context.language)), "path", {{0, 0}}};
     Box box;
     for (const ImpactSolution::Phase& phase : found.phases) {
         const Spot at{phase.normal.to_double() * size, phase.tangential.to_double() * size};
@@ -457,10 +457,10 @@ Figure impact_routh_figure(const DrawingContext& context, double room_x, double 
     };
     plot.curves.push_back(path);
     // u_n = 0 and u_t = 0, in terms of impulses along unit vectors.
-    add({"compression", "compressione"}, "compression", clipped(found.approach.to_double() * size, a, b, box));
-    add({"sticking", "adesione"}, "sticking", clipped(found.slip.to_double() * size, b, c, box));
+    add({lang::impact::compression}, "compression", clipped(found.approach.to_double() * size, a, b, box));
+    add({lang::impact::sticking}, "sticking", clipped(found.slip.to_double() * size, b, c, box));
     const double reach = std::min(most, f > 0 ? high / f : most);
-    add({"friction", "attrito"}, "friction", {{reach, f * reach}, {0, 0}, {reach, -f * reach}});
+    add({lang::impact::friction}, "friction", {{reach, f * reach}, {0, 0}, {reach, -f * reach}});
     const XyCurve& drawn = plot.curves.front();
     for (std::size_t i = 0; i < found.phases.size(); ++i)
         plot.marks.push_back({0, drawn.values[i + 1],

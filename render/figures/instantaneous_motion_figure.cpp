@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -450,7 +451,7 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
         act.draw(sketch, velocity_scale);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word("act of motion", context.language));
+        figure.caption = one_piece(word(lang::sheet::act_of_motion, context.language));
         if (act.longest() > 0)
             figure.further_scale =
                 "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;

@@ -10,6 +10,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/bindings.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -72,7 +73,7 @@ public:
         Figure figure;
         figure.kind = "velocity";
         figure.id = "joukowsky";
-        figure.caption = one_piece(word("lever", context_.language));
+        figure.caption = one_piece(word(lang::sheet::lever, context_.language));
         figure.further_scale = "1 mm ≙ " + shortest(force_scale_, context_.language) + " " + force_.symbol;
         figure.scale = scale;
         figure.unit = velocity_.symbol;

@@ -5,6 +5,7 @@
 
 #include "engine/equations/equations.hpp"
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -116,7 +117,7 @@ Figure loops_figure(const DrawingContext& context, double room_x, double room_y)
         for (const Side& side : sides) draw_side(sketch, equations, side, angles, tails);
         name_points(sketch);
         Figure figure = sketch.finish("loops", "loops", "m");
-        figure.caption = one_piece(word("loops on the mechanism", context.language));
+        figure.caption = one_piece(word(lang::sheet::loops_on_the_mechanism, context.language));
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
         return figure;
     });

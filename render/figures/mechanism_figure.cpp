@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/plot_figure.hpp"
@@ -114,7 +115,8 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mec
     for (const auto& [key, spots] : longest) {
         if (spots.size() < 2) continue;
         const bool is_fixed = key.second == Way::Kind::fixed_centrode;
-        const std::string words = word(is_fixed ? "fixed centrode" : "moving centrode", sketch.context.language);
+        const std::string words =
+            word(is_fixed ? lang::sheet::fixed_centrode : lang::sheet::moving_centrode, sketch.context.language);
         const std::size_t at = is_fixed ? spots.size() / 4 : (3 * spots.size()) / 4;
         LabelRequest& label = sketch.add_label(one_piece(pairs.size() > 1 ? words + " " + key.first : words),
                                                sketch.theme.text, spots[at], 1.4);
@@ -245,9 +247,9 @@ private:
         name_points(sketch);
         if (shows.ways != nullptr) name_ways(sketch, *shows.ways);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
-                                        : shows.centres       ? "mechanism and instant centres"
-                                                              : "mechanism",
+        figure.caption = one_piece(word(shows.ways != nullptr ? lang::sheet::mechanism_and_its_way
+                                        : shows.centres       ? lang::sheet::mechanism_and_instant_centres
+                                                              : lang::sheet::mechanism,
                                         context.language));
         if (!left_out.empty()) append(figure.caption, without(left_out));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length,
@@ -260,7 +262,7 @@ private:
     /// ", without P_24, P_25". If there are many, only the first are named, since the list of centres is complete.
     RichText without(const std::vector<RichText>& centres) const {
         constexpr std::size_t most = 6;
-        RichText text = one_piece(word("without centres", context.language) + " ");
+        RichText text = one_piece(word(lang::sheet::without_centres, context.language) + " ");
         for (std::size_t i = 0; i < std::min(centres.size(), most); ++i) {
             if (i > 0) append(text, one_piece(", "));
             append(text, centres[i]);
@@ -310,18 +312,23 @@ private:
 /// The quantities on this mechanism figure: vectors of points and rates of bodies.
 struct OnMechanism {
     const char* name;  // of the figure
-    const char* caption;
+    Key caption;
     Symbol::Letter of_points, of_bodies;
     Quantity::Kind kind;  // of the vectors of points
     const char* si;
     Recorded<Vector> PointMotion::*vector;
     Unit Units::*unit;
 };
-constexpr OnMechanism velocities{
-    "velocities", "velocities on the mechanism", Symbol::Letter::v, Symbol::Letter::omega, Quantity::Kind::velocity,
-    "m/s",        &PointMotion::velocity,        &Units::velocity};
+constexpr OnMechanism velocities{"velocities",
+                                 lang::sheet::velocities_on_the_mechanism,
+                                 Symbol::Letter::v,
+                                 Symbol::Letter::omega,
+                                 Quantity::Kind::velocity,
+                                 "m/s",
+                                 &PointMotion::velocity,
+                                 &Units::velocity};
 constexpr OnMechanism accelerations{"accelerations",
-                                    "accelerations on the mechanism",
+                                    lang::sheet::accelerations_on_the_mechanism,
                                     Symbol::Letter::a,
                                     Symbol::Letter::alpha,
                                     Quantity::Kind::acceleration,

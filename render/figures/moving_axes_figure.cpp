@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -135,7 +136,7 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
         figure.has_scale = speed > 0;
         if (acceleration > 0)
             figure.further_scale = "1 mm ≙ " + shortest(acceleration_scale, context.language) + " m/s²";
-        figure.caption = one_piece(word("moving axes", context.language) + " " +
+        figure.caption = one_piece(word(lang::sheet::moving_axes, context.language) + " " +
                                    solution.mechanism.body(motion.query.observer).name);
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, solution.mechanism.units.length, trial.strict);
         return figure;

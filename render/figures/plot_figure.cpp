@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
@@ -386,6 +387,20 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
     }
 }
 
+/// The text of a cam's column; another column that has a name is called by it.
+std::string text_of_column(const std::string& name, Language language) {
+    using namespace lang::sheet;
+    static constexpr std::array<std::pair<std::string_view, Key>, 4> of_cams{{
+        {"rise angle", rise_angle},
+        {"rise angle rate", rise_angle_rate},
+        {"rise angle acceleration", rise_angle_acceleration},
+        {"pressure angle", pressure_angle},
+    }};
+    for (const auto& [known, key] : of_cams)
+        if (known == name) return key.in(language);
+    return name;
+}
+
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
     const std::string axis = q.component == Quantity::Component::whole ? ""
@@ -411,7 +426,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Column::Kind::slid: return symbol("s", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::along:
             return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
-        case Column::Kind::named: return with_powers(word(column.name, language));
+        case Column::Kind::named: return with_powers(text_of_column(column.name, language));
         case Column::Kind::result: break;
     }
     switch (q.kind) {

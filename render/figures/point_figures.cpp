@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/point_motion.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"
@@ -90,9 +91,8 @@ public:
     Figure draw() {
         measure();
         figure_ = begun("trajectory", "trajectory",
-                        as_question_ ? Words("Trajectory", "Traiettoria")
-                                     : Words("Trajectory, velocity and acceleration at the instant",
-                                             "Traiettoria, velocità e accelerazione nell’istante"),
+                        as_question_ ? Words(lang::point_motion::trajectory)
+                                     : Words(lang::point_motion::trajectory_velocity_and_acceleration),
                         scale_, "m", context_.language);
         at_ = spot_of(found_.place, scale_);
         draw_axes();
@@ -154,7 +154,7 @@ private:
         figure_.marks.emplace_back(polyline(spots, {2 * theme_.outline, path().line, {}, true}));
         figure_.marks.emplace_back(GroupEnd{});
         for (const std::size_t i : ticks(spots.size())) figure_.marks.emplace_back(disc(spots[i], 0.55, path().line));
-        name(in(Words("{t} = ", "{t} = "), context_.language) +
+        name(in(Words(lang::point_motion::time_is), context_.language) +
                  amount(problem_.from.to_double(), QuantityKind::time, units(), context_.language, as_given),
              spots.front(), path().letter);
         // Half-way between the beginning and the point, along the path.
@@ -240,7 +240,8 @@ public:
         Box extent = box_of_places(spots);
         if (size_of(extent) == 0) extent.include(Spot{1, 0});
         const double scale = choose_scale(extent.width(), extent.height(), room_.x - 34, room_.y - 24, std::nullopt);
-        figure_ = begun("velocity", "hodograph", {"Hodograph", "Odografa"}, scale, unit.symbol, context_.language);
+        figure_ =
+            begun("velocity", "hodograph", {lang::point_motion::hodograph}, scale, unit.symbol, context_.language);
         std::vector<Spot> curve;
         for (const auto& each : found_.course) curve.push_back(spot_of(each.velocity, si * scale));
         figure_.marks.emplace_back(GroupBegin{"curve", "hodograph-path", "v", {{"data-name", "v"}}, none});
@@ -271,8 +272,7 @@ public:
     Figure draw() {
         choose();
         const double metres = speed_scale_ * speed_scale_ / acceleration_scale_;
-        figure_ = begun("curvature", "curvature-centre",
-                        {"The centre of curvature by similar triangles", "Il centro di curvatura per triangoli simili"},
+        figure_ = begun("curvature", "curvature-centre", {lang::point_motion::the_centre_of_curvature_by_similar},
                         metres, "m", context_.language);
         const Units& units = context_.solution.mechanism.units;
         figure_.further_scale = per_millimetre(speed_scale_, units.velocity) + ", " +
@@ -379,19 +379,18 @@ Figure curvature_centre_figure(const DrawingContext& context, double room_x, dou
     return CurvatureCentre(context, {room_x, room_y}).draw();
 }
 Figure way_figure(const DrawingContext& context, double room_x, double room_y) {
-    return over_time(context, "way", {"Way over time", "Ascissa curvilinea nel tempo"}, QuantityKind::length,
+    return over_time(context, "way", {lang::point_motion::way_over_time}, QuantityKind::length,
                      {{"s", &PointMotionSolution::At::way, solution_of<PointMotionSolution>(context).way}},
                      {room_x, room_y});
 }
 Figure speed_figure(const DrawingContext& context, double room_x, double room_y) {
-    return over_time(context, "speed", {"Speed over time", "Velocità (modulo) nel tempo"}, QuantityKind::velocity,
+    return over_time(context, "speed", {lang::point_motion::speed_over_time}, QuantityKind::velocity,
                      {{"v", &PointMotionSolution::At::speed, solution_of<PointMotionSolution>(context).speed}},
                      {room_x, room_y});
 }
 Figure components_figure(const DrawingContext& context, double room_x, double room_y) {
     const PointMotionSolution& found = solution_of<PointMotionSolution>(context);
-    return over_time(context, "components",
-                     {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
+    return over_time(context, "components", {lang::point_motion::components_of_the_acceleration_over_time},
                      QuantityKind::acceleration,
                      {{"a_t", &PointMotionSolution::At::along, found.along},
                       {"a_n", &PointMotionSolution::At::across, found.across}},

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -190,12 +191,16 @@ private:
 
     RichText caption() const {
         const Language language = context_.language;
-        RichText text = one_piece(word(kind() + " polygon", language));
+        RichText text = one_piece(
+            word(is_acceleration() ? lang::sheet::acceleration_polygon : lang::sheet::velocity_polygon, language));
         if (scene_.point.empty()) return text;
         text.back().text += ": ";
         append(text, typeset(Symbol{Symbol::Letter::point, scene_.point, ""}, language));
         append(text,
-               " " + word(scene_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
+               " " +
+                   word(scene_.translating ? lang::sheet::seen_from_axes_translating_with : lang::sheet::seen_from_body,
+                        language) +
+                   " ");
         append(text, scene_.translating ? typeset(Symbol{Symbol::Letter::point, scene_.observer, ""}, language)
                                         : one_piece(scene_.observer));
         return text;

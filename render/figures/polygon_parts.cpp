@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
@@ -351,8 +352,8 @@ private:
                 if (is_in(detail, vector) && (statement == none || vector.statement < statement))
                     statement = vector.statement;
             const std::size_t first = figure_.marks.size();
-            figure_.marks.emplace_back(
-                GroupBegin{"detail", "", word("detail", context_.language) + " " + detail.letter, {}, statement});
+            figure_.marks.emplace_back(GroupBegin{
+                "detail", "", word(lang::sheet::detail, context_.language) + " " + detail.letter, {}, statement});
             figure_.marks.emplace_back(circle(detail.centre, radius, {theme_.thin, theme_.text, {}, false}));
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
@@ -470,7 +471,7 @@ Figure blank_inset(const Figure& figure, const DrawingContext& context, const De
     Figure inset;
     inset.kind = "detail";
     inset.id = figure.id + "-detail-" + detail.letter;
-    inset.caption = one_piece(word("detail", context.language) + " " + detail.letter);
+    inset.caption = one_piece(word(lang::sheet::detail, context.language) + " " + detail.letter);
     inset.scale = detail.scale;
     inset.unit = figure.unit;
     return inset;
@@ -712,7 +713,7 @@ public:
     Lettering(Figure& figure, const DrawingContext& context, std::size_t before)
         : figure_(figure),
           context_(context),
-          heading_(word("detail", context.language) + " "),
+          heading_(word(lang::sheet::detail, context.language) + " "),
           was_(figure.details),
           is_(lettered_anew(figure.details, before)) {}
 

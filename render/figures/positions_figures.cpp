@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/finite_positions.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
@@ -32,7 +33,7 @@ public:
     }
 
     Figure question() {
-        begin("positions", {"Positions of the body", "Posizioni del corpo"});
+        begin("positions", {lang::finite_positions::positions_of_the_body});
         for (std::size_t i = 0; i < problem_.positions.size(); ++i) draw_body(i);
         return finished(std::move(figure_), context_, room_);
     }
@@ -41,8 +42,8 @@ public:
         const Displacement& displacement = found_.displacements.at(index);
         const std::string both = std::to_string(displacement.from + 1) + std::to_string(displacement.to + 1);
         const bool shows = displacement.pole && include_if_near(*displacement.pole, 3);
-        begin("displacement-" + both, {"Displacement {0} → {1}", "Spostamento {0} → {1}",
-                                       std::to_string(displacement.from + 1), std::to_string(displacement.to + 1)});
+        begin("displacement-" + both, {lang::finite_positions::displacement, std::to_string(displacement.from + 1),
+                                       std::to_string(displacement.to + 1)});
         const std::optional<Spot> pole = shows ? std::optional<Spot>(spot(*displacement.pole)) : std::nullopt;
         for (std::size_t point = 0; point < 2; ++point) draw_way(displacement, point, pole);
         draw_body(displacement.from);
@@ -62,7 +63,7 @@ public:
             const FixedPivot& pivot = found_.pivots.at(i);
             shown.at(i) = pivot.centre && include_if_near(*pivot.centre, 4);
         }
-        begin("pivots", {"Fixed pivots from three positions", "Cerniere fisse da tre posizioni"});
+        begin("pivots", {lang::finite_positions::fixed_pivots_from_three_positions});
         for (std::size_t i = 0; i < 2; ++i) draw_circle(i, shown.at(i));
         for (std::size_t i = 0; i < problem_.positions.size(); ++i) draw_body(i);
         for (std::size_t i = 0; i < 2; ++i)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/reye.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"
@@ -79,8 +80,7 @@ private:
 
     void draw_pad() {
         const double a = problem_.length.to_double();
-        begin(as_question_ ? Words("Pad and force", "Pattino e forza")
-                           : Words("Pad, pressures and their centroid", "Pattino, pressioni e loro baricentro"),
+        begin(as_question_ ? Words(lang::reye::pad_and_force) : Words(lang::reye::pad_pressures_and_their_centroid),
               choose_scale(a, 0, room_.x - 30, 1, std::nullopt));
         const double sum = found_.first + found_.second;
         if (!as_question_) press_to_scale(std::max(sum, found_.greatest), std::max(room_.y - 52, 12.0));
@@ -138,7 +138,7 @@ private:
     void draw_disc() {
         const double inner = problem_.inner.to_double(), outer = problem_.outer.to_double();
         const double room = std::min(room_.x - 40, room_.y - 8);
-        begin({"Rubbing face", "Superficie di strisciamento"}, choose_scale(2 * outer, 0, room, 1, std::nullopt));
+        begin({lang::reye::rubbing_face}, choose_scale(2 * outer, 0, room, 1, std::nullopt));
         const Spot centre{0, 0};
         const Pen edge = pen(2 * theme_.outline, colour().line);
         add(ring(centre, outer / scale_, colour().tint, edge));
@@ -164,8 +164,7 @@ private:
     void draw_shoe() {
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double();
         const double span = std::max(r, h) + r;
-        begin(as_question_ ? Words("Shoe and drum", "Ceppo e tamburo")
-                           : Words("Shoe, drum and pressures", "Ceppo, tamburo e pressioni"),
+        begin(as_question_ ? Words(lang::reye::shoe_and_drum) : Words(lang::reye::shoe_drum_and_pressures),
               choose_scale(span, 2 * r, room_.x - 20, room_.y - 24, std::nullopt));
         if (!as_question_) press_to_scale(found_.greatest, 12);
         const double drum = r / scale_;
@@ -273,22 +272,23 @@ Figure reye_pressure_figure(const DrawingContext& context, double room_x, double
     const double per_pressure = pressure.si.to_double(), per_place = place.si.to_double();
     XyPlot plot;
     plot.id = "pressures";
-    const Words caption = ring ? Words("Pressure over the radius", "Pressione lungo il raggio")
-                               : Words("Pressure along the shoe", "Pressione lungo il ceppo");
+    const Words caption =
+        ring ? Words(lang::reye::pressure_over_the_radius) : Words(lang::reye::pressure_along_the_shoe);
     plot.caption = one_piece(in(caption, context.language));
     plot.x_name = symbol_of(ring ? "r" : "θ");
     plot.x_unit = place.symbol;
     plot.y_name = symbol_of("p");
     plot.y_unit = pressure.symbol;
     const auto words = [&](const Words& name) { return one_piece(in(name, context.language)); };
-    XyCurve worn{ring ? words({"worn in", "rodato"}) : symbol_of("p"), "worn", {}};
+    XyCurve worn{ring ? words({lang::reye::worn_in}) : symbol_of("p"), "worn", {}};
     for (const ReyeSolution::At& each : found.pressures)
         worn.values.push_back({each.place / per_place, each.pressure / per_pressure});
     plot.curves.push_back(worn);
     if (found.uniform_pressure) {
         const double even = *found.uniform_pressure / per_pressure;
-        plot.curves.push_back(
-            {words({"new", "nuovo"}), "uniform", {{found.begin / per_place, even}, {found.end / per_place, even}}});
+        plot.curves.push_back({words({lang::reye::new_word}),
+                               "uniform",
+                               {{found.begin / per_place, even}, {found.end / per_place, even}}});
     }
     plot.marks.push_back({0,
                           {found.greatest_at / per_place, found.greatest / per_pressure},

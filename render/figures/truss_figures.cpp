@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -436,7 +437,7 @@ public:
         Figure figure;
         figure.kind = "closure";
         figure.id = "cremona";
-        figure.caption = one_piece(word("cremona", context_.language));
+        figure.caption = one_piece(word(lang::sheet::cremona, context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
         open(figure);
@@ -637,7 +638,7 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y)
         SpaceDiagram(sketch).draw();
         name_points(sketch);
         Figure figure = sketch.finish("truss", "truss", "m");
-        figure.caption = one_piece(word("truss", context.language));
+        figure.caption = one_piece(word(lang::sheet::truss, context.language));
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
         return figure;
     });

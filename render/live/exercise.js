@@ -82,18 +82,18 @@ function drawnIn(view) {
  * @param {Task} task
  * @param {Spot} from
  * @param {Spot} to
- * @returns {'' | 'wrong point' | 'wrong direction' | 'wrong sense' | 'too long' | 'too short'}
+ * @returns {'' | 'wrong_point' | 'wrong_direction' | 'wrong_sense' | 'too_long' | 'too_short'}
  */
 function faultOf(task, from, to) {
     const by = minus(to, from), size = apart(from, to), wanted = Math.hypot(task.by.x, task.by.y);
-    if (apart(from, task.from) > samePlace) return 'wrong point';
-    if (size < longEnough) return 'too short';
+    if (apart(from, task.from) > samePlace) return 'wrong_point';
+    if (size < longEnough) return 'too_short';
     const across = Math.abs(dot(by, quarterTurn(task.by))) / (size * wanted);
-    if (across > Math.sin(straightEnough * Math.PI / 180)) return 'wrong direction';
+    if (across > Math.sin(straightEnough * Math.PI / 180)) return 'wrong_direction';
     if (task.kind === 'line') return '';
-    if (dot(by, task.by) < 0) return 'wrong sense';
+    if (dot(by, task.by) < 0) return 'wrong_sense';
     if (Math.abs(size - wanted) <= Math.max(longEnough, shareEnough * wanted)) return '';
-    return size > wanted ? 'too long' : 'too short';
+    return size > wanted ? 'too_long' : 'too_short';
 }
 
 class Exercise {
@@ -174,7 +174,7 @@ class Exercise {
         page.motion?.toDrawn(page.course);
         page.show();
         const first = this.polygons[0];
-        if (!first) return page.announce(page.word('nothing to try'));
+        if (!first) return page.announce(page.word('nothing_to_try'));
         this.isOn = true;
         this.take(first.id);
     }
@@ -228,7 +228,7 @@ class Exercise {
         this.group = drawn(view.svg, 'g', {class: 'student'});
         const ofStatement = tasks.slice(0, this.next).filter((each) => each.statement === task?.statement);
         for (const each of ofStatement) this.drawDone(each, view);
-        if (isDone) return this.tell(page.word('all drawn'), page.at('try-figure'));
+        if (isDone) return this.tell(page.word('all_drawn'), page.at('try-figure'));
         this.ask(task);
         const points = this.pointsKnown(view);
         fill(
@@ -238,14 +238,14 @@ class Exercise {
         );
         fill(
             page.at('try-direction'),
-            [['', page.word('by hand')], ...this.directions().map(({name}, i) => [String(i), name])],
+            [['', page.word('by_hand')], ...this.directions().map(({name}, i) => [String(i), name])],
             '',
         );
         this.layLine(view);
     }
     /** @param {Task} task */
     ask(task) {
-        const word = task.kind === 'vector' ? 'draw vector' : task.name === '' ? 'draw line' : 'draw line of';
+        const word = task.kind === 'vector' ? 'draw_vector' : task.name === '' ? 'draw_line' : 'draw_line_of';
         const [before, after = ''] = this.page.word(word).split('{0}'),
             [letter, low = '', high = ''] = task.name.split('_');
         const node = this.page.at('try-task');
@@ -300,7 +300,7 @@ class Exercise {
                 letter
                 ?? (tip === undefined
                     ? this.page.word('start')
-                    : this.page.word('tip of').replace('{0}', unscored(tip)));
+                    : this.page.word('tip_of').replace('{0}', unscored(tip)));
             points.push({name, at});
         }
         return points;
@@ -347,7 +347,7 @@ class Exercise {
         for (const {at} of points)
             drawn(group, 'circle', {cx: at.x.toFixed(3), cy: at.y.toFixed(3), r: 1.1, class: 'vertex'});
         drawn(group, 'line', {class: 'own'});
-        this.handle = new Handle(group, view.svg, this.page.word('line end'), (at) => this.drag(at));
+        this.handle = new Handle(group, view.svg, this.page.word('line_end'), (at) => this.drag(at));
         this.choosePoint();
     }
     choosePoint() {
@@ -414,7 +414,7 @@ class Exercise {
         this.isHelped = true;
         const {statement} = this.tasks[this.next];
         const sentence = this.page.says.find((each) => Number(each.dataset.says) === statement);
-        this.tell(sentence ? spoken(sentence) : this.page.word('no hint'));
+        this.tell(sentence ? spoken(sentence) : this.page.word('no_hint'));
     }
     /** @param {number} points */
     finish(points) {

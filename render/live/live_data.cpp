@@ -7,6 +7,7 @@
 
 #include "engine/file/json_text.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "lang/keys/live.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/page/figure.hpp"
 #include "render/text/formula.hpp"
@@ -388,87 +389,19 @@ std::string figure_json(const AloneFigure& figure) {
     return json.close(']').close('}').take();
 }
 
-namespace {
+std::vector<Language> languages_of_page(Language asked) {
+    return {asked, asked == Language::en ? Language::it : Language::en};
+}
 
-constexpr std::string_view words_prefix = "live ";
-/// The words that the scripts of the page use, in the order of the data.
-constexpr std::string_view words_of_the_page[] = {"live play",
-                                                  "live pause",
-                                                  "live as drawn",
-                                                  "live driver",
-                                                  "live position",
-                                                  "live fit",
-                                                  "live previous",
-                                                  "live next",
-                                                  "live all",
-                                                  "live language",
-                                                  "live theme",
-                                                  "live theme system",
-                                                  "live theme light",
-                                                  "live theme dark",
-                                                  "live print",
-                                                  "live limit",
-                                                  "live change point",
-                                                  "live no construction",
-                                                  "live not followed",
-                                                  "live of drawn position",
-                                                  "live step",
-                                                  "live out of reach",
-                                                  "live faults",
-                                                  "live faults at first",
-                                                  "live line",
-                                                  "live lost",
-                                                  "live try",
-                                                  "live end trying",
-                                                  "live nothing to try",
-                                                  "live polygon",
-                                                  "live from",
-                                                  "live direction",
-                                                  "live by hand",
-                                                  "live check",
-                                                  "live hint",
-                                                  "live show it",
-                                                  "live score",
-                                                  "live draw vector",
-                                                  "live draw line",
-                                                  "live draw line of",
-                                                  "live tip of",
-                                                  "live start",
-                                                  "live guide",
-                                                  "live horizontal",
-                                                  "live vertical",
-                                                  "live line end",
-                                                  "live wrong point",
-                                                  "live wrong direction",
-                                                  "live wrong sense",
-                                                  "live too long",
-                                                  "live too short",
-                                                  "live right",
-                                                  "live shown",
-                                                  "live all drawn",
-                                                  "live no hint",
-                                                  "live ruler",
-                                                  "live ruler end",
-                                                  "live values beside",
-                                                  "live givens",
-                                                  "live does not close",
-                                                  "live fixed otherwise",
-                                                  "live fixed nothing",
-                                                  "live fixed zero",
-                                                  "live fixed many",
-                                                  "live trace",
-                                                  "live plot",
-                                                  "live none"};
-
-}  // namespace
-
-std::string words_json() {
+std::string words_json(Language asked) {
     Json json;
     json.open('{');
-    for (const Language language : languages) {
+    std::vector<Language> all = languages_of_page(asked);
+    std::sort(all.begin(), all.end());
+    for (const Language language : all) {
         json.key(code_of(language)).open('{');
-        for (const std::string_view key : words_of_the_page)
-            json.key(key.substr(words_prefix.size())).text(word(key, language));
+        for (std::size_t i = 0; i < lang::live_section.size(); ++i)
+            json.key(lang::live_section.name(i)).text(lang::live_section.text(i, language));
         json.close('}');
     }
     return json.close('}').take();

@@ -17,8 +17,10 @@ std::string moving_json(const Moving& moving, const Solution& solution);
 std::string names_json(const Solution& solution);
 /// Data of a figure: position, scale, and the names in its labels, in drawing order.
 std::string figure_json(const AloneFigure& figure);
-/// The words of the page in both languages.
-std::string words_json();
+/// The words of the page in its languages.
+std::string words_json(Language asked);
+/// The languages between which the reader of a page changes: the one asked for, and English; with English, Italian.
+std::vector<Language> languages_of_page(Language asked);
 /// The display unit of a column: symbol and size in SI.
 Unit unit_of_column(const Column& column, const Units& units);
 

@@ -12,6 +12,8 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/live.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
 #include "render/content/title_block.hpp"
 #include "render/equations/equation_text.hpp"
@@ -325,14 +327,12 @@ public:
     std::string write(const std::optional<Theme>& dark, int served) {
         std::string sheets, figures;
         const Language first = options_.language;
-        auto all = languages;
-        std::stable_partition(all.begin(), all.end(), [&](Language language) { return language == first; });
-        for (const Language language : all) {
+        for (const Language language : languages_of_page(first)) {
             sheets += sheet(language);
             figures +=
                 (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
         }
-        std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
+        std::string data = "{\"words\":" + words_json(first) + ",\"figures\":{" + figures + "}";
         if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
@@ -353,10 +353,10 @@ private:
                 "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
                 "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" "
                 "step=\"any\"></label>\n"
-                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as "
+                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as_"
                 "drawn\"></button>\n"
                 "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
-                "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
+                "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values_beside\"></span></label>\n"
                 "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
                 "<label><span data-word=\"plot\"></span> <select id=\"plot\"></select></label>\n"
                 "<details id=\"givens\"><summary data-word=\"givens\"></summary></details>\n"
@@ -366,16 +366,19 @@ private:
             "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"
             "<button id=\"next\" type=\"button\" data-word=\"next\"></button>\n"
             "<button id=\"all\" type=\"button\" data-word=\"all\"></button>\n<span id=\"step\"></span>\n"
-            "<label><span data-word=\"language\"></span> <select id=\"language\"><option value=\"en\">English</option>"
-            "<option value=\"it\">Italiano</option></select></label>\n";
+            "<label><span data-word=\"language\"></span> <select id=\"language\">";
+        for (const Language each : languages_of_page(options_.language))
+            out += element("option", "value=\"" + code_of(each) + "\"", lang::notation::name.in(each));
+        out += "</select></label>\n";
         if (has_dark)
             out +=
-                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme "
+                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme_"
                 "system\"></option>"
-                "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme "
+                "<option value=\"light\" data-word=\"theme_light\"></option><option value=\"dark\" data-word=\"theme_"
                 "dark\"></option>"
                 "</select></label>\n";
-        if (moving_) out += "<button id=\"try\" type=\"button\" data-word=\"try\" aria-pressed=\"false\"></button>\n";
+        if (moving_)
+            out += "<button id=\"try\" type=\"button\" data-word=\"begin_trying\" aria-pressed=\"false\"></button>\n";
         out += "<button id=\"ruler\" type=\"button\" data-word=\"ruler\" aria-pressed=\"false\"></button>\n";
         return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" +
                (moving_ ? exercise() : "") + "</header>\n";
@@ -392,7 +395,7 @@ private:
         return "<div class=\"row\" id=\"trying\" hidden>" + choice("try-figure", "polygon") +
                "<span id=\"try-task\" aria-live=\"polite\"></span>\n" + choice("try-point", "from") +
                choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" +
-               button("try-check", "check") + button("try-hint", "hint") + button("try-show", "show it") +
+               button("try-check", "check") + button("try-hint", "hint") + button("try-show", "show_it") +
                "<span id=\"try-score\"></span><p id=\"try-verdict\" role=\"status\"></p></div>\n";
     }
 
@@ -421,7 +424,7 @@ private:
                 caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
             out += element(
                 "figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
-                svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
+                svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not_followed\" hidden></p>");
         }
         return out;
     }
@@ -437,8 +440,7 @@ private:
             if (topic != statement.section) {
                 topic = statement.section;
                 if (is_open) out += "</ol>\n";
-                if (*topic != Topic::unnamed)
-                    out += element("h2", "", word("steps " + std::string(name_of(*topic)), language));
+                if (*topic != Topic::unnamed) out += element("h2", "", word(steps_heading(*topic), language));
                 out += "<ol class=\"steps\">\n";
                 is_open = true;
             }
@@ -447,7 +449,7 @@ private:
             out += element("li", "data-says=\"" + std::to_string(i) + "\"", said);
         }
         if (is_open) out += "</ol>\n";
-        if (!out.empty() && moving_) out += "<p class=\"note\" data-word=\"of drawn position\" hidden></p>\n";
+        if (!out.empty() && moving_) out += "<p class=\"note\" data-word=\"of_drawn_position\" hidden></p>\n";
         return out;
     }
     /// Shows below each term whether magnitude and direction are known.
@@ -470,8 +472,8 @@ private:
             return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
         };
         return element("table", "class=\"equation\"",
-                       row("", terms) + row(word("magnitude", language), magnitudes) +
-                           row(word("direction", language), directions));
+                       row("", terms) + row(word(lang::sheet::magnitude, language), magnitudes) +
+                           row(word(lang::sheet::direction, language), directions));
     }
 
     std::string equations(Language language) const {
@@ -496,15 +498,16 @@ private:
                                 element("td", "", escaped(unit.symbol)));
         }
         const std::string head = element("tr", "",
-                                         element("th", "scope=\"col\"", word("live column", language)) +
-                                             element("th", "scope=\"col\"", word("live value", language)) +
-                                             element("th", "scope=\"col\"", word("unit", language)));
-        return element("h2", "", word("live values", language)) +
+                                         element("th", "scope=\"col\"", word(lang::sheet::page_column, language)) +
+                                             element("th", "scope=\"col\"", word(lang::sheet::page_value, language)) +
+                                             element("th", "scope=\"col\"", word(lang::sheet::unit, language)));
+        return element("h2", "", word(lang::sheet::page_values, language)) +
                element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows));
     }
     std::string results(Language language) const {
         return element("h2", "",
-                       word("results", language) + (moving_ ? " (" + word("live drawn", language) + ")" : "")) +
+                       word(lang::sheet::results, language) +
+                           (moving_ ? " (" + word(lang::sheet::page_drawn, language) + ")" : "")) +
                element("pre", "tabindex=\"0\"", escaped(results_table(solution_, language)));
     }
 
@@ -524,7 +527,7 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 }
 
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
-    const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
+    const std::string data = "{\"words\":" + words_json(options.language) + ",\"served\":0}";
     return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true),
                     data, true,
                     element("main", "lang=\"" + code_of(options.language) + "\"", element("h1", "", escaped(name))));

@@ -141,7 +141,7 @@ class Ruler {
         const line = drawn(group, 'line', {}), text = /** @type {SVGTextElement} */ (drawn(group, 'text', {}));
         const from = ends ?? [{x: x + width / 4, y: y + height / 2}, {x: x + 3 * width / 4, y: y + height / 2}];
         const handles = from.map((at, i) => {
-            const handle = new Handle(group, svg, page.word('ruler end'), (to, byHand) => {
+            const handle = new Handle(group, svg, page.word('ruler_end'), (to, byHand) => {
                 handles[i].put(byHand ? this.snapped(svg, to) : to);
                 this.show();
                 page.announce(text.textContent ?? '');

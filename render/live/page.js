@@ -302,7 +302,7 @@ class Page {
         this.at('trying').hidden = !isOn;
         this.at('moving').hidden = isOn;
         this.at('try').setAttribute('aria-pressed', String(isOn));
-        this.at('try').textContent = this.word(isOn ? 'end trying' : 'try');
+        this.at('try').textContent = this.word(isOn ? 'end_trying' : 'begin_trying');
         for (const id of ['previous', 'next', 'all', 'step']) this.at(id).hidden = isOn;
         if (!isOn) for (const node of document.querySelectorAll('li.later')) node.classList.remove('later');
     }
@@ -386,7 +386,7 @@ class Page {
             const button = document.createElement('button');
             button.type = 'button';
             button.textContent = this.positionText(at);
-            button.title = this.word(course.changePoints.includes(at) ? 'change point' : 'limit');
+            button.title = this.word(course.changePoints.includes(at) ? 'change_point' : 'limit');
             button.onclick = () => {
                 this.pause();
                 this.moveTo(at);
@@ -396,7 +396,7 @@ class Page {
     }
     /** @param {number} at */
     moveTo(at) {
-        if (!this.motion?.moveTo(this.course, at)) return this.say(this.word('out of reach'));
+        if (!this.motion?.moveTo(this.course, at)) return this.say(this.word('out_of_reach'));
         this.show();
     }
     play() {
@@ -442,9 +442,9 @@ class Page {
         const atLimit =
             (course.startsAtLimit && isNear(samples[0].at))
             || (course.endsAtLimit && isNear(samples[samples.length - 1].at));
-        if (course.changePoints.some(isNear)) this.say(this.word('change point'));
+        if (course.changePoints.some(isNear)) this.say(this.word('change_point'));
         else if (atLimit) this.say(this.word('limit'));
-        else this.say(motion.plan < 0 ? this.word('no construction') : '');
+        else this.say(motion.plan < 0 ? this.word('no_construction') : '');
         this.panel.show(motion);
         for (const view of this.figures) this.showFigure(view, motion);
         for (const view of this.figures) view.written = (value) => this.numberText(value);

@@ -31,7 +31,7 @@ class Panel {
         for (const [why, name] of motion.data.fixed) fixed.set(why, [...fixed.get(why) ?? [], name]);
         for (const [why, names] of fixed) {
             const told = panel.appendChild(document.createElement('p'));
-            const say = () => (told.textContent = this.page.word(`fixed ${why}`).replace('{0}', names.join(', ')));
+            const say = () => (told.textContent = this.page.word(`fixed_${why}`).replace('{0}', names.join(', ')));
             document.addEventListener('languagechosen', say);
             say();
         }
@@ -48,7 +48,7 @@ class Panel {
         const isGood = Number.isFinite(value) && !(isLength && value <= 0) &&
             motion.give(motion.settings.map((each, i) => i === setting ? value : each));
         input.setAttribute('aria-invalid', String(!isGood));
-        if (!isGood) return page.say(page.word('does not close'));
+        if (!isGood) return page.say(page.word('does_not_close'));
         page.rooms.clear();
         page.show();
         page.traces.draw();

@@ -69,7 +69,7 @@ class Watching {
             place.append(node);
         };
         if (this.isLost) line('p', this.word('lost'));
-        else if (faults.length > 0) line('p', this.word(this.page ? 'faults' : 'faults at first'));
+        else if (faults.length > 0) line('p', this.word(this.page ? 'faults' : 'faults_at_first'));
         for (const fault of faults) {
             const at = fault.line === undefined ? '' :
                 `${this.word('line').replace('{0}', String(fault.line)).replace('{1}', String(fault.column))}: `;

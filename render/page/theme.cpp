@@ -9,6 +9,7 @@
 
 #include "engine/file/json_source.hpp"
 #include "engine/file/units.hpp"
+#include "lang/keys/themes.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -67,8 +68,8 @@ Words remedy(std::string_view word, const Names& names, const Words& all) {
             least = distance;
             best = name;
         }
-    return best.empty() ? Words("; {0} are {1}", "; {0} sono {1}", all, listed(names))
-                        : Words(" (did you mean {0}?)", " (forse {0}?)", quoted(best));
+    return best.empty() ? Words(lang::themes::are_the_others, all, listed(names))
+                        : Words(lang::themes::did_you_mean, quoted(best));
 }
 
 class ThemeReader {
@@ -77,10 +78,9 @@ public:
 
     Result<Theme> read() {
         for (const JsonValue& twice : source_.duplicates())
-            fault(twice, {"{0} stands twice in this object; take one of them out",
-                          "{0} compare due volte in questo oggetto; toglierne una", quoted(twice.key())});
+            fault(twice, {lang::themes::stands_twice_in_this_object_take, quoted(twice.key())});
         const JsonValue root = source_.root();
-        if (is_object(root, {"a theme", "un tema"})) read_theme(root);
+        if (is_object(root, {lang::themes::a_theme})) read_theme(root);
         if (errors_.empty()) return std::move(theme_);
         return tl::make_unexpected(std::move(errors_));
     }
@@ -91,15 +91,14 @@ private:
     }
 
     bool is_object(JsonValue value, const Words& what) {
-        if (!value.is_object()) fault(value, {"{0} is a JSON object", "{0} è un oggetto JSON", what});
+        if (!value.is_object()) fault(value, {lang::themes::is_a_json_object, what});
         return value.is_object();
     }
 
     void check_keys(JsonValue object, const Names& known, const Words& all) {
         for (const JsonValue member : object)
             if (std::find(known.begin(), known.end(), member.key()) == known.end())
-                fault(member, {"unknown key {0}{1}", "chiave sconosciuta {0}{1}", quoted(member.key()),
-                               remedy(member.key(), known, all)});
+                fault(member, {lang::themes::unknown_key, quoted(member.key()), remedy(member.key(), known, all)});
     }
 
     void read_theme(JsonValue root) {
@@ -108,14 +107,13 @@ private:
             if (named)
                 theme_ = *std::move(named);
             else if (base.is_string())
-                fault(base, {"no theme is named {0}{1}", "nessun tema si chiama {0}{1}", quoted(base.text()),
-                             remedy(base.text(), theme_names(), {"the built-in themes", "i temi del programma"})});
+                fault(base, {lang::themes::no_theme_is_named, quoted(base.text()),
+                             remedy(base.text(), theme_names(), {lang::themes::the_built_in_themes})});
             else
-                fault(base, {"the name of a built-in theme is wanted here: {0}",
-                             "qui serve il nome di un tema del programma: {0}", listed(theme_names())});
+                fault(base, {lang::themes::the_name_of_a_built, listed(theme_names())});
         }
         check_keys(root, {"based on", "paper", "text", "secondary", "skeleton", "faint", "accent", "bodies", "lines"},
-                   {"the keys of a theme", "le chiavi di un tema"});
+                   {lang::themes::the_keys_of_a_theme});
         read(root["paper"], theme_.paper);
         read(root["text"], theme_.text);
         read(root["secondary"], theme_.secondary);
@@ -124,7 +122,7 @@ private:
         read(root["faint"], theme_.faint);
         if (const JsonValue bodies = root["bodies"]) read_bodies(bodies);
         if (const JsonValue lines = root["lines"]; lines && is_object(lines, std::string_view("\"lines\""))) {
-            check_keys(lines, {"link", "vector", "outline", "thin"}, {"the weights of line", "gli spessori di linea"});
+            check_keys(lines, {"link", "vector", "outline", "thin"}, {lang::themes::the_weights_of_line});
             read(lines["link"], theme_.link, 0.3, 4);
             read(lines["vector"], theme_.vector, 0.1, 2);
             read(lines["outline"], theme_.outline, 0.05, 1);
@@ -135,16 +133,15 @@ private:
     void read_bodies(JsonValue list) {
         constexpr std::size_t most = 24;
         if (!list.is_array() || list.size() == 0 || list.size() > most) {
-            fault(list, {"1 to 24 bodies are wanted here, as an array", "qui servono da 1 a 24 corpi, in un array"});
+            fault(list, {lang::themes::n_1_to_24_bodies_are_wanted});
             return;
         }
         // Properties missing from a body come from the base theme.
         std::vector<BodyColour> bodies;
         for (const JsonValue each : list) {
             bodies.push_back(theme_.body(BodyIndex(bodies.size() + 1)));
-            if (!is_object(each, {"a body's look", "l’aspetto di un corpo"})) continue;
-            check_keys(each, {"line", "tint", "letter", "dashes"},
-                       {"the keys of a body's look", "le chiavi dell’aspetto di un corpo"});
+            if (!is_object(each, {lang::themes::a_body_look})) continue;
+            check_keys(each, {"line", "tint", "letter", "dashes"}, {lang::themes::the_keys_of_a_body_look});
             read(each["line"], bodies.back().line);
             read(each["tint"], bodies.back().tint);
             read(each["letter"], bodies.back().letter);
@@ -156,11 +153,7 @@ private:
     void read_dashes(JsonValue list, std::vector<double>& dashes) {
         constexpr std::size_t most = 8;
         if (!list.is_array() || list.size() % 2 != 0 || list.size() > most) {
-            fault(
-                list,
-                {"an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line",
-                 "qui serve un numero pari di lunghezze, al massimo 8: tratto, vuoto, tratto, vuoto (mm); nessuna per "
-                 "una linea continua"});
+            fault(list, {lang::themes::an_even_number_of_lengths});
             return;
         }
         dashes.clear();
@@ -179,7 +172,7 @@ private:
             value.is_string() && text.size() == 7 && text[0] == '#' &&
             std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
         if (!written) {
-            fault(value, {"a colour is wanted here, as \"#RRGGBB\"", "qui serve un colore, come \"#RRGGBB\""});
+            fault(value, {lang::themes::a_colour_is_wanted_here});
             return;
         }
         colour = {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8 & 0xFF),
@@ -200,8 +193,7 @@ private:
             char digits[16];
             return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
         };
-        fault(value, {"a length from {0} to {1} mm is wanted here", "qui serve una lunghezza da {0} a {1} mm",
-                      plain(least), plain(most)});
+        fault(value, {lang::themes::a_length_from_to_mm, plain(least), plain(most)});
     }
 
     const JsonSource& source_;

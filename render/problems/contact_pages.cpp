@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/contacts.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/problems/problem_sheet.hpp"
 
 namespace kinegraph::render {
@@ -18,11 +20,11 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
     for (const BodyIndex body : indices_of(result.mechanism.bodies)) {
         Words& label = result.mechanism.bodies[at_index(body)].label;
         if (!label.empty()) continue;
-        label = body == frame ? Words("frame", "telaio")
-                              : Words("body {0}", "corpo {0}", solution.mechanism.body(body).name);
+        label = body == frame ? Words(lang::contacts::frame)
+                              : Words(lang::contacts::body, solution.mechanism.body(body).name);
     }
     ProblemSolution found = *contact.found;
-    found.subject = Words("Contact at {0}", "Contatto in {0}", solution.mechanism.joint(contact.joint).name);
+    found.subject = Words(lang::contacts::contact_at_2, solution.mechanism.joint(contact.joint).name);
     result.problem = std::make_shared<const ProblemSolution>(std::move(found));
     return result;
 }

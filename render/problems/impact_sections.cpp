@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/impact.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
@@ -25,92 +26,60 @@ public:
             const std::string n = std::to_string(i + 1);
             const Words name = called(mechanism_.body(body.body));
             if (body.fixed) {
-                said.emplace_back("{0}: fixed.", "{0}: fisso.", name);
+                said.emplace_back(lang::impact::fixed, name);
                 continue;
             }
-            Words line("{0}: {m_" + n + "} = {1}", "{0}: {m_" + n + "} = {1}", name,
-                       given(body.mass, QuantityKind::mass));
+            Words line = formula_words("{0}: {m_" + n + "} = {1}", {name, given(body.mass, QuantityKind::mass)});
             if (body.inertia)
-                line += Words(", {I_" + n + "} = {0}", ", {I_" + n + "} = {0}",
-                              given(*body.inertia, QuantityKind::inertia));
+                line += formula_words(", {I_" + n + "} = {0}", {given(*body.inertia, QuantityKind::inertia)});
             if (found_.bodies.at(i).centre != found_.at)
-                line += Words(", centre {G_" + n + "} {0}", ", baricentro {G_" + n + "} {0}",
-                              place(found_.bodies.at(i).centre));
-            line += Words(", {v_" + n + "} = {0}", ", {v_" + n + "} = {0}",
-                          vector(found_.bodies.at(i).before, QuantityKind::velocity, as_given));
+                line += Words(lang::impact::centre_g_1, place(found_.bodies.at(i).centre), n);
+            line += formula_words(", {v_" + n + "} = {0}",
+                                  {vector(found_.bodies.at(i).before, QuantityKind::velocity, as_given)});
             if (!body.omega.is_zero())
-                line += Words(", {ω_" + n + "} = {0}", ", {ω_" + n + "} = {0}",
-                              given(body.omega, QuantityKind::angular_velocity));
-            if (body.pivot)
-                line +=
-                    Words("; it turns about {O} {0}", "; ruota intorno a {O} {0}", place(*found_.bodies.at(i).pivot));
+                line += formula_words(", {ω_" + n + "} = {0}", {given(body.omega, QuantityKind::angular_velocity)});
+            if (body.pivot) line += Words(lang::impact::it_turns_about_o, place(*found_.bodies.at(i).pivot));
             said.push_back(line + std::string("."));
         }
         said.push_back(contact());
-        said.emplace_back("Restitution {e} = {0}{1}.", "Restituzione {e} = {0}{1}.",
-                          numeral(found_.restitution.to_double(), as_given),
-                          found_.friction.is_zero() ? Words(", no friction", ", senza attrito")
-                                                    : Words(", friction {f} = {0}", ", attrito {f} = {0}",
-                                                            numeral(found_.friction.to_double(), as_given)));
+        said.emplace_back(lang::impact::restitution_e, numeral(found_.restitution.to_double(), as_given),
+                          found_.friction.is_zero()
+                              ? Words(lang::impact::no_friction)
+                              : Words(lang::impact::friction_f, numeral(found_.friction.to_double(), as_given)));
         said.push_back(classes());
         return said;
     }
 
     std::vector<Words> equations() const {
         std::vector<Words> said;
-        said.emplace_back(
-            "The impulse {J} acts on the first body at {P}, −{J} on the second. Momentum and moment of momentum of "
-            "both change the relative velocity {u} of the points in contact by\nΔ{u_n} = {α}{J_n} + {β}{J_t},  Δ{u_t} "
-            "= {β}{J_n} + {γ}{J_t},\n{α} = {0},  {β} = {1},  {γ} = {2} kg⁻¹.",
-            "L’impulso {J} agisce sul primo corpo in {P}, −{J} sul secondo. Quantità di moto e momento della quantità "
-            "di moto di entrambi cambiano la velocità relativa {u} dei punti a contatto di\nΔ{u_n} = {α}{J_n} + "
-            "{β}{J_t},  Δ{u_t} = {β}{J_n} + {γ}{J_t},\n{α} = {0},  {β} = {1},  {γ} = {2} kg⁻¹.",
-            per_mass(found_.a), per_mass(found_.b), per_mass(found_.c));
-        said.emplace_back(
-            "with {α} = Σ 1/{m} + ({r} × {n})²/{I}, {γ} the same with {t}, {β} = Σ ({r} × {n})({r} × {t})/{I}, {r} "
-            "from the centre{0} to {P}.",
-            "con {α} = Σ 1/{m} + ({r} ∧ {n})²/{I}, {γ} lo stesso con {t}, {β} = Σ ({r} ∧ {n})({r} ∧ {t})/{I}, {r} dal "
-            "baricentro{0} a {P}.",
-            has_pivot() ? Words(" (from the pivot {O}, with {I_O} and no 1/{m})",
-                                " (dalla cerniera {O}, con {I_O} e senza 1/{m})")
-                        : Words());
-        said.emplace_back("Before the impact\n{u_n} = {0},  {u_t} = {1}.",
-                          "Prima dell’urto\n{u_n} = {0},  {u_t} = {1}.", speed(found_.approach), speed(found_.slip));
+        said.emplace_back(lang::impact::the_impulse_j_acts, per_mass(found_.a), per_mass(found_.b), per_mass(found_.c));
+        said.emplace_back(lang::impact::with_1_m_r_n_i,
+                          has_pivot() ? Words(lang::impact::from_the_pivot_o_with_i) : Words());
+        said.emplace_back(lang::impact::before_the_impact_u_n_u, speed(found_.approach), speed(found_.slip));
         return said;
     }
 
     std::vector<Words> phases() const {
         std::vector<Words> said;
         if (found_.friction.is_zero()) {
-            said.emplace_back(
-                "Without friction {J_t} = 0. The compression ends where {u_n} = 0, the restitution gives back {e} "
-                "times as much:\n{J_n} = −(1 + {e}){u_n}/{α} = {0}.",
-                "Senza attrito {J_t} = 0. La compressione termina dove {u_n} = 0, la restituzione ne rende {e} volte "
-                "tanto:\n{J_n} = −(1 + {e}){u_n}/{α} = {0}.",
-                impulse(found_.normal_impulse));
+            said.emplace_back(lang::impact::without_friction_j_t_0, impulse(found_.normal_impulse));
         } else {
             char letter = 'A';
             for (const ImpactSolution::Phase& phase : found_.phases) {
                 const bool sticks = phase.kind == ImpactSolution::Phase::Kind::sticks;
-                const Words how = sticks ? Words("The contact sticks, {u_t} = 0 and d{J_t} = −({β}/{γ}) d{J_n},",
-                                                 "Il contatto aderisce, {u_t} = 0 e d{J_t} = −({β}/{γ}) d{J_n},")
-                                         : Words("The contact slides, d{J_t} = {0}{f} d{J_n},",
-                                                 "Il contatto striscia, d{J_t} = {0}{f} d{J_n},",
-                                                 std::string(phase.sense > 0 ? "−" : ""));
-                const Words until = phase.ends_compression
-                                        ? Words(" until the compression ends", " finché termina la compressione")
-                                    : &phase == &found_.phases.back()
-                                        ? Words(" until {J_n} is 1 + {e} times that of the compression",
-                                                " finché {J_n} è 1 + {e} volte quello della compressione")
-                                        : Words(" until the slip ends", " finché termina lo strisciamento");
+                const Words how =
+                    sticks ? Words(lang::impact::the_contact_sticks_u_t_0)
+                           : Words(lang::impact::the_contact_slides_d_j_t, std::string(phase.sense > 0 ? "−" : ""));
+                const Words until = phase.ends_compression            ? Words(lang::impact::until_the_compression_ends)
+                                    : &phase == &found_.phases.back() ? Words(lang::impact::until_j_n_is_1_e)
+                                                                      : Words(lang::impact::until_the_slip_ends);
                 said.push_back(how + until +
-                               Words(" ({0}):\n{J_n} = {1},  {J_t} = {2}.", " ({0}):\n{J_n} = {1},  {J_t} = {2}.",
-                                     std::string(1, letter), impulse(phase.normal), impulse(phase.tangential)));
+                               Words(lang::impact::j_n_j_t, std::string(1, letter), impulse(phase.normal),
+                                     impulse(phase.tangential)));
                 ++letter;
             }
         }
-        said.emplace_back("So the impulse on the first body is\n{J} = {0} N s.",
-                          "Quindi l’impulso sul primo corpo è\n{J} = {0} N s.",
+        said.emplace_back(lang::impact::so_the_impulse_on_the_first,
                           vector(found_.impulse, QuantityKind::dimensionless));
         return said;
     }
@@ -123,28 +92,21 @@ public:
             const std::string n = std::to_string(i + 1), sign = i == 0 ? " + " : " − ";
             if (body.pivot) {
                 said.emplace_back(
-                    "{ω_" + n + "}′ = {ω_" + n + "}" + sign + "({r_" + n +
-                        "} × {J})/{I_O} = {0};  the pivot answers with {R} = {1} N s.",
-                    "{ω_" + n + "}′ = {ω_" + n + "}" + sign + "({r_" + n +
-                        "} ∧ {J})/{I_O} = {0};  la cerniera risponde con {R} = {1} N s.",
+                    lang::impact::r_2_j_i_o,
                     amount(body.omega_after.to_double(), QuantityKind::angular_velocity, mechanism_.units),
-                    vector(*body.reaction, QuantityKind::dimensionless));
+                    vector(*body.reaction, QuantityKind::dimensionless), n, sign);
                 if (body.percussion)
-                    said.emplace_back(
-                        "The centre of percussion {C} lies at {I_O}/{m}{d} = {0} from {O}: an impulse there, across "
-                        "{OG}, leaves the pivot in peace.",
-                        "Il centro di percussione {C} dista {I_O}/{m}{d} = {0} da {O}: un impulso in esso, normale a "
-                        "{OG}, non sollecita la cerniera.",
-                        amount(kinegraph::length(*body.percussion - *body.pivot), QuantityKind::length,
-                               mechanism_.units));
+                    said.emplace_back(lang::impact::the_centre_of_percussion_c_lies,
+                                      amount(kinegraph::length(*body.percussion - *body.pivot), QuantityKind::length,
+                                             mechanism_.units));
                 continue;
             }
-            Words line("{v_" + n + "}′ = {v_" + n + "}" + sign + "{J}/{m_" + n + "} = {0}",
-                       "{v_" + n + "}′ = {v_" + n + "}" + sign + "{J}/{m_" + n + "} = {0}",
-                       vector(body.after, QuantityKind::velocity));
+            Words line = formula_words("{v_" + n + "}′ = {v_" + n + "}" + sign + "{J}/{m_" + n + "} = {0}",
+                                       {vector(body.after, QuantityKind::velocity)});
             if (!body.inverse_inertia.is_zero())
-                line += Words(",  {ω_" + n + "}′ = {0}", ",  {ω_" + n + "}′ = {0}",
-                              amount(body.omega_after.to_double(), QuantityKind::angular_velocity, mechanism_.units));
+                line += formula_words(
+                    ",  {ω_" + n + "}′ = {0}",
+                    {amount(body.omega_after.to_double(), QuantityKind::angular_velocity, mechanism_.units)});
             said.push_back(line + std::string("."));
         }
         return said;
@@ -153,20 +115,13 @@ public:
     std::vector<Words> restitution() const {
         std::vector<Words> said;
         said.emplace_back(
-            "Along the normal the contact parts with {u_n}′ = {0}:\n−{u_n}′/{u_n} = {1}{2}.",
-            "Lungo la normale il contatto si separa con {u_n}′ = {0}:\n−{u_n}′/{u_n} = {1}{2}.",
-            speed(found_.separation), numeral(found_.kinematic_restitution.to_double()),
+            lang::impact::along_the_normal_the_contact_parts, speed(found_.separation),
+            numeral(found_.kinematic_restitution.to_double()),
             found_.kinematic_restitution == found_.restitution
-                ? Words(", the given {e}", ", l’{e} assegnato")
-                : Words(" (Newton’s), while the impulses of the two phases stand as {e} = {0} (Poisson’s)",
-                        " (di Newton), mentre gli impulsi delle due fasi stanno come {e} = {0} (di Poisson)",
-                        numeral(found_.restitution.to_double(), as_given)));
-        said.emplace_back(
-            "The energy lost is the work of the impulse on the mean relative velocity:\n{T} = −{J} · ({u} + {u}′)/2 = "
-            "{0} J of {1} J.",
-            "L’energia perduta è il lavoro dell’impulso per la velocità relativa media:\n{T} = −{J} · ({u} + {u}′)/2 = "
-            "{0} J su {1} J.",
-            numeral(found_.energy_lost.to_double()), numeral(found_.energy_before.to_double()));
+                ? Words(lang::impact::the_given_e)
+                : Words(lang::impact::newtons_while_the_impulses, numeral(found_.restitution.to_double(), as_given)));
+        said.emplace_back(lang::impact::the_energy_lost_is_the_work, numeral(found_.energy_lost.to_double()),
+                          numeral(found_.energy_before.to_double()));
         return said;
     }
 
@@ -177,7 +132,7 @@ private:
     Words vector(const Vector& v, QuantityKind kind, int digits = 4) const {
         const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);
         const double si = unit.si.to_double();
-        return Words("({0}, {1}){2}", "({0}; {1}){2}", numeral(v.x.to_double() / si, digits),
+        return Words(lang::impact::vector_with_unit, numeral(v.x.to_double() / si, digits),
                      numeral(v.y.to_double() / si, digits), unit.symbol.empty() ? std::string() : " " + unit.symbol);
     }
     Words speed(const Exact& scaled) const {
@@ -191,25 +146,18 @@ private:
         const Words first = called(mechanism_.body(problem_.bodies[0].body)),
                     second = called(mechanism_.body(problem_.bodies[1].body));
         const double along = std::atan2(found_.normal.y.to_double(), found_.normal.x.to_double());
-        return Words(
-            "The bodies touch at {P} {0}; the normal {n}, from {2} to {1}, stands at {3} to the axis {x}. The impulse "
-            "{J} acts on {1}, −{J} on {2}. The axis {x} points to the right, {y} upwards, and angular velocities count "
-            "counter-clockwise positive.",
-            "I corpi si toccano in {P} {0}; la normale {n}, da {2} verso {1}, è inclinata di {3} sull’asse {x}. "
-            "L’impulso {J} agisce su {1}, −{J} su {2}. L’asse {x} è rivolto a destra, {y} in alto, e le velocità "
-            "angolari sono positive in senso antiorario.",
-            place(found_.at), first, second, amount(along, QuantityKind::angle, mechanism_.units, as_given));
+        return Words(lang::impact::the_bodies_touch_at_p, place(found_.at), first, second,
+                     amount(along, QuantityKind::angle, mechanism_.units, as_given));
     }
     bool has_pivot() const { return found_.bodies[0].pivot || found_.bodies[1].pivot; }
     Words classes() const {
-        return Words("The impact is {0} ({1}) and {2}.", "L’urto è {0} ({1}) e {2}.",
-                     found_.central ? Words("central", "centrale") : Words("eccentric", "eccentrico"),
-                     found_.central
-                         ? Words("the centres lie on the line of impact", "i baricentri stanno sulla linea d’urto")
-                         : Words("a centre lies off the line of impact", "un baricentro è fuori dalla linea d’urto"),
-                     found_.direct ? Words("direct", "diretto")
-                                   : Words("oblique, {ψ} = {0}", "obliquo, {ψ} = {0}",
-                                           amount(found_.obliquity, QuantityKind::angle, mechanism_.units)));
+        return Words(
+            lang::impact::the_impact, found_.central ? Words(lang::impact::central) : Words(lang::impact::eccentric),
+            found_.central ? Words(lang::impact::the_centres_lie_on_the_line)
+                           : Words(lang::impact::a_centre_lies_off_the_line),
+            found_.direct
+                ? Words(lang::impact::direct)
+                : Words(lang::impact::oblique, amount(found_.obliquity, QuantityKind::angle, mechanism_.units)));
     }
 
     const Mechanism& mechanism_;
@@ -227,22 +175,18 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
     };
     std::vector<ProblemFigure> routh;
     if (has_routh_figure(context)) routh.push_back(figure("routh", impact_routh_figure, 0.8));
-    return {{"given", {"Given", "Dati"}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
-            {"impulse", {"Impulses and velocities", "Impulsi e velocità"}, {}, text.equations()},
-            {"phases", {"Course of the impact", "Corso dell’urto"}, routh, text.phases()},
+    return {{"given", {lang::impact::given}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
+            {"impulse", {lang::impact::impulses_and_velocities}, {}, text.equations()},
+            {"phases", {lang::impact::course_of_the_impact}, routh, text.phases()},
             {"velocities",
-             {"Velocities afterwards", "Velocità dopo l’urto"},
+             {lang::impact::velocities_afterwards},
              {figure("velocities", impact_velocities_figure, 0.75), figure("contact-after", impact_after_figure, 0.8)},
              text.velocities()},
             {"restitution",
-             {"Restitution and energy", "Restituzione ed energia"},
+             {lang::impact::restitution_and_energy},
              {figure("restitution", impact_restitution_figure, 0.7)},
              text.restitution()},
-            {"hypotheses",
-             {"Hypotheses", "Ipotesi"},
-             {},
-             {{"The impact takes no time: places do not change, and other forces have no impulse.",
-               "L’urto non dura: le posizioni non cambiano e le altre forze non hanno impulso."}}}};
+            {"hypotheses", {lang::impact::hypotheses}, {}, {{lang::impact::the_impact_takes_no_time_places}}}};
 }
 
 }  // namespace kinegraph::render

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/point_motion.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 
@@ -32,13 +33,8 @@ std::vector<ProblemSection> point_sections(const DrawingContext& context) {
         }
         sections.push_back(std::move(section));
     }
-    sections.push_back({"hypotheses",
-                        {"Hypotheses", "Ipotesi"},
-                        {},
-                        {{"The axes are fixed. Derivatives are found in symbols and evaluated at the instant; the "
-                          "check derives the numbers themselves.",
-                          "Gli assi sono fissi. Le derivate sono in simboli, valutate nell’istante; la verifica deriva "
-                          "direttamente i numeri."}}});
+    sections.push_back(
+        {"hypotheses", {lang::point_motion::hypotheses}, {}, {{lang::point_motion::the_axes_are_fixed_derivatives}}});
     return sections;
 }
 

@@ -6,6 +6,8 @@
 
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/problems.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/equations/equation_block.hpp"
 #include "render/equations/prose.hpp"
@@ -55,8 +57,8 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
 const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
 
 const Words& head_of(std::size_t column) {
-    static const std::array<Words, 4> heads{Words("quantity", "grandezza"), Words("found", "trovato"),
-                                            Words("check", "verifica"), Words("difference", "differenza")};
+    static const std::array<Words, 4> heads{Words(lang::problems::quantity), Words(lang::problems::found),
+                                            Words(lang::problems::check), Words(lang::problems::difference)};
     return heads.at(column);
 }
 
@@ -78,14 +80,14 @@ protected:
           figures_before_{options.figures_before},
           sections_(sections_of_problem(context_)) {}
 
-    const std::string& say(const Words& words) const { return in(words, context_.language); }
+    std::string say(const Words& words) const { return in(words, context_.language); }
     /// Scales type for the size of the paper.
     Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
     double measure() const { return format_.measure / format_.text_size; }
     /// Whether the value is asked for. True for all values if the file names none.
     bool is_sought(const ProblemValue& value) const {
         const auto& asked = asked_of(context_.solution.mechanism);
-        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
+        const auto is_it = [&](const AskedResult& other) { return other.name == in_english(value.name); };
         return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
     }
     static void add(std::vector<Item>& to, std::vector<Item> more) {
@@ -164,7 +166,7 @@ protected:
         rule(context_.theme.outline);
         table.width = width;
         table.height = y;
-        const Words heading("Results and numeric check", "Risultati e verifica numerica");
+        const Words heading(lang::problems::results_and_numeric_check);
         all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
         all.push_back({fitted(std::move(table)), section, 0, false});
         return all;
@@ -172,8 +174,8 @@ protected:
 
     /// Symbol, name and value of the results asked for.
     std::vector<Item> answer_table(std::size_t section) const {
-        std::vector<std::vector<Formula>> rows{
-            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
+        std::vector<std::vector<Formula>> rows{{Formula(), Formula::upright(say(head_of(0))),
+                                                Formula::upright(word(lang::sheet::value, context_.language))}};
         const Units& units = context_.solution.mechanism.units;
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
@@ -185,8 +187,9 @@ protected:
         }
         const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
         NaturalBlocks natural;
-        std::vector<Item> all{{fitted(heading_block(context_, measure(), word("answers", context_.language))), section,
-                               between_sections, true}};
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), word(lang::sheet::answers, context_.language))), section,
+             between_sections, true}};
         for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
             all.push_back({fitted(std::move(line)), section, 0, false});
         if (all.size() > 1) all[1].holds_next = true;
@@ -196,8 +199,8 @@ protected:
     std::vector<Item> remarks(std::size_t section) const {
         std::vector<Item> all;
         if (context_.solution.problem->remarks.empty()) return all;
-        all.push_back({fitted(heading_block(context_, measure(), word("remarks", context_.language))), section,
-                       between_sections, true});
+        all.push_back({fitted(heading_block(context_, measure(), word(lang::sheet::remarks, context_.language))),
+                       section, between_sections, true});
         for (const Words& each : context_.solution.problem->remarks)
             all.push_back({sentence(each, measure()), section, 0, false});
         return all;
@@ -285,17 +288,16 @@ public:
 
     /// The given data with their figure, and the results to find.
     std::vector<Page> question() {
-        signature_.subtitle = word("subtitle question", context_.language);
+        signature_.subtitle = word(lang::sheet::subtitle_question, context_.language);
         ProblemSection given = sections_.front();
         given.sentences.resize(given.sentences.size() - given.found);
         for (ProblemFigure& figure : given.figures)
             if (figure.as_question) figure.draw = figure.as_question;
-        ProblemSection sought{"sought", in_all([](Language language) { return word("sought", language); }), {}, {}};
+        ProblemSection sought{"sought", lang::sheet::sought, {}, {}};
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
-            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en,
-                                          "– " + symbol + "  " + spoken(each).it);
+            sought.sentences.push_back(formula_words("– " + symbol + "  {0}", {spoken(each)}));
         }
         sections_ = {std::move(given), std::move(sought)};
         constexpr double height = 86;
@@ -306,7 +308,7 @@ public:
 
     /// The question's figure and the results asked for, with their values.
     std::vector<Page> answers() {
-        signature_.subtitle = word("subtitle answers", context_.language);
+        signature_.subtitle = word(lang::sheet::subtitle_answers, context_.language);
         ProblemSection given = sections_.front();
         given.sentences.clear();
         given.pieces.clear();
@@ -494,7 +496,7 @@ std::string problem_table(const Solution& solution, Language language) {
         text += each + "\n";
     }
     if (!solution.problem->remarks.empty()) {
-        text += "\n" + word("remarks", language) + "\n";
+        text += "\n" + word(lang::sheet::remarks, language) + "\n";
         for (const Words& each : solution.problem->remarks) text += "  " + in(each, language) + "\n";
     }
     return text;

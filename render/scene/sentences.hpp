@@ -8,9 +8,11 @@
 namespace kinegraph::render {
 
 /// Whether it only states that a centre lies at a pair.
-bool names_a_pair(Sentence sentence);
+bool names_a_pair(Key sentence);
+/// The heading of a topic's steps.
+Key steps_heading(Topic topic);
 /// Whether the list of centres contains the same information.
-bool told_by_list(Sentence sentence);
+bool told_by_list(Key sentence);
 
 /// Whether a statement only follows from another (images, equal rotations), so that a brief solution omits it. False if
 /// it introduces a name that another statement uses.

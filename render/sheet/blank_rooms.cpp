@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "lang/keys/sheet.hpp"
 #include "render/content/bands.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/figures/caption.hpp"
@@ -68,16 +69,17 @@ private:
         for (const Mark& mark : figure.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "figure")
                 polygons.insert(group->id);
-        const auto add = [&](const char* what, const std::string& whom) {
+        const auto add = [&](Key what, const std::string& whom) {
             append(name, one_piece(", " + word(what, context_.language) + " " + whom));
         };
         for (const FreeBody& body : solution.free_bodies) {
             const std::string whom = name_of(solution, body), own = whom.substr(whom.find('-') + 1);
-            if (polygons.contains(legal_id("forces-" + own))) add(body.body != none ? "body" : "pin", own);
+            if (polygons.contains(legal_id("forces-" + own)))
+                add(body.body != none ? lang::sheet::body : lang::sheet::pin, own);
         }
         for (const TakenTogether& together : solution.taken_together)
             if (polygons.contains(legal_id(name_of(solution, together))))
-                add("bodies together", names_of(solution.mechanism, together));
+                add(lang::sheet::bodies_together, names_of(solution.mechanism, together));
         return name;
     }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lang/keys/sheet.hpp"
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/extremes.hpp"
@@ -28,15 +29,18 @@ public:
     Block drawn() {
         Block block;
         set(block.marks,
-            heading_block(context_, width_, word(table_.parameter ? "extremes of rows" : "extremes", context_.language),
-                          {}),
+            heading_block(
+                context_, width_,
+                word(table_.parameter ? lang::sheet::extremes_of_rows : lang::sheet::extremes, context_.language), {}),
             {0, 0});
         y_ = 6.2;
         rule(block, theme_.outline);
         cells(block,
-              {one_piece(word("quantity", context_.language)), one_piece(word("least", context_.language)),
-               one_piece(word("at the position", context_.language)), one_piece(word("greatest", context_.language)),
-               one_piece(word("at the position", context_.language))},
+              {one_piece(word(lang::sheet::quantity, context_.language)),
+               one_piece(word(lang::sheet::least, context_.language)),
+               one_piece(word(lang::sheet::at_the_position, context_.language)),
+               one_piece(word(lang::sheet::greatest, context_.language)),
+               one_piece(word(lang::sheet::at_the_position, context_.language))},
               theme_.secondary);
         rule(block, theme_.thin);
         for (const auto& plot : plots_)
@@ -101,7 +105,7 @@ private:
             return cells(block, {name, value, {}, value, {}}, theme_.text);
         }
         const auto value = [&](const Extreme& each, bool below) {
-            return is_unbounded(table_, column, below) ? one_piece(word("without limit", context_.language))
+            return is_unbounded(table_, column, below) ? one_piece(word(lang::sheet::without_limit, context_.language))
                                                        : with_powers(amount(each.value, unit));
         };
         const auto where = [&](const Extreme& each, bool below) {
@@ -117,27 +121,29 @@ private:
         const auto say = [&](const std::string& what, const std::string& value) {
             said.push_back(with_powers(what + ": " + value));
         };
-        const auto in_words = [&](const char* key) { return word(key, context_.language); };
-        const std::string at = " " + in_words("at the position") + " ";
+        const auto in_words = [&](Key key) { return word(key, context_.language); };
+        const std::string at = " " + in_words(lang::sheet::at_the_position) + " ";
         const Travel& travel = table_.travel;
         if (travel.starts_at_limit || travel.ends_at_limit)
-            say(in_words("limits of the driver"), (travel.starts_at_limit ? coordinate(travel.from) : "") +
-                                                      (travel.starts_at_limit && travel.ends_at_limit ? ", " : "") +
-                                                      (travel.ends_at_limit ? coordinate(travel.to) : ""));
+            say(in_words(lang::sheet::limits_of_the_driver),
+                (travel.starts_at_limit ? coordinate(travel.from) : "") +
+                    (travel.starts_at_limit && travel.ends_at_limit ? ", " : "") +
+                    (travel.ends_at_limit ? coordinate(travel.to) : ""));
         if (!travel.change_points.empty()) {
             std::string all;
             for (const double each : travel.change_points) all += (all.empty() ? "" : ", ") + coordinate(each);
-            say(in_words("change points"), all);
+            say(in_words(lang::sheet::change_points), all);
         }
         for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
         tell_of_separations(said);
         if (table_.transmission)
-            say(in_words("least transmission angle"),
+            say(in_words(lang::sheet::least_transmission_angle),
                 // To hundredths: at a dead point, where the angle is zero, the position is not known more precisely.
                 number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) +
                     "°" + at + coordinate(table_.transmission->at));
-        if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
-        if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
+        if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words(lang::sheet::largest_speed), *fastest);
+        if (const auto hardest = largest_of_points(Kind::acceleration))
+            say(in_words(lang::sheet::largest_acceleration), *hardest);
         for (const Words& fact : table_.facts) {
             std::string line = in(fact, context_.language);
             for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;)
@@ -150,7 +156,7 @@ private:
     void tell_of_column(std::size_t column, std::vector<RichText>& said) const {
         const Column& of = table_.columns[column];
         if (table_.rows.size() < 3) return;
-        const auto say = [&](const char* key, const std::string& value) {
+        const auto say = [&](Key key, const std::string& value) {
             RichText text = one_piece(word(key, context_.language) + "  ");
             append(text, typeset(of, context_.solution.mechanism, context_.language));
             append(text, with_powers(": " + value));
@@ -158,7 +164,7 @@ private:
         };
         const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid) {
-            say("stroke", amount(most.value - least.value, of.unit));
+            say(lang::sheet::stroke, amount(most.value - least.value, of.unit));
             // For a full turn at constant speed the time is proportional to the rotation between the two ends of the
             // stroke.
             const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
@@ -167,12 +173,12 @@ private:
                 return;
             const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
             // Equal times in both directions are no quick return.
-            if (ratio > 1.001) say("time ratio", number(ratio, 4, context_.language));
+            if (ratio > 1.001) say(lang::sheet::time_ratio, number(ratio, 4, context_.language));
         }
         tell_of_poles(column, said);
         if (const FollowedColumn* followed = followed_of(table_, column); followed && of.quantity.kind == Kind::effort)
-            return say("mean",
-                       followed->mean ? amount(*followed->mean, of.unit) : word("without limit", context_.language));
+            return say(lang::sheet::mean, followed->mean ? amount(*followed->mean, of.unit)
+                                                         : word(lang::sheet::without_limit, context_.language));
         if (of.quantity.kind == Kind::effort) {
             double sum = 0, way = 0;
             for (std::size_t i = 1; i < table_.rows.size(); ++i) {
@@ -181,7 +187,7 @@ private:
                 way += step;
             }
             const double rounding = 1e-9 * std::max(std::abs(least.value), std::abs(most.value));
-            if (way != 0) say("mean", amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
+            if (way != 0) say(lang::sheet::mean, amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
         }
     }
 
@@ -192,7 +198,7 @@ private:
         std::string all;
         for (const double each : followed->poles) all += (all.empty() ? "" : ", ") + place(each);
         RichText text = typeset(table_.columns[column], context_.solution.mechanism, context_.language);
-        append(text, " " + word("grows without limit at", context_.language) + " " + all);
+        append(text, " " + word(lang::sheet::grows_without_limit_at, context_.language) + " " + all);
         said.push_back(std::move(text));
     }
     /// Contacts that would have to pull, from where to where.
@@ -200,7 +206,7 @@ private:
         const std::vector<Separation>& all = table_.followed.separations;
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (i == 0 || all[i].joint != all[i - 1].joint)
-                said.push_back(one_piece(word("separation", context_.language) + " " +
+                said.push_back(one_piece(word(lang::sheet::separation, context_.language) + " " +
                                          context_.solution.mechanism.joint(all[i].joint).name + ":"));
             append(said.back(), std::string(i > 0 && all[i].joint == all[i - 1].joint ? ", " : " ") +
                                     place(all[i].from) + " … " + place(all[i].to));
@@ -247,7 +253,9 @@ private:
         if (point == none) return std::nullopt;
         return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) +
                " (" + context_.solution.mechanism.point(point).name + ")" +
-               (is_same_everywhere ? "" : " " + word("at the position", context_.language) + " " + place(largest.at));
+               (is_same_everywhere
+                    ? ""
+                    : " " + word(lang::sheet::at_the_position, context_.language) + " " + place(largest.at));
     }
 
     const DrawingContext& context_;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
@@ -34,9 +35,9 @@ public:
           cam_(cam),
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date,
-                     word(table.is_of_cam   ? "subtitle cam"
-                          : table.parameter ? "subtitle parameter"
-                                            : "subtitle cycle",
+                     word(table.is_of_cam   ? lang::sheet::subtitle_cam
+                          : table.parameter ? lang::sheet::subtitle_parameter
+                                            : lang::sheet::subtitle_cycle,
                           options.language)},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
@@ -95,12 +96,13 @@ private:
             [&](double x, double y) {
                 Figure figure = mechanism_with_ways(context_, ways_, x, y);
                 scale_ = figure.scale;
-                if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
+                if (table_.is_of_cam)
+                    figure.caption = one_piece(word(lang::sheet::cam_and_follower, context_.language));
                 if (cam_ != nullptr)
                     append(figure.caption,
-                           " " + word("at the position", context_.language) + " " +
+                           " " + word(lang::sheet::at_the_position, context_.language) + " " +
                                drawing::given_number(cam_->drawn * 180 / std::numbers::pi, context_.language) + "°");
-                if (table_.parameter) figure.caption = one_piece(word("mechanism", context_.language));
+                if (table_.parameter) figure.caption = one_piece(word(lang::sheet::mechanism, context_.language));
                 return figure;
             },
             corner, height);
@@ -138,7 +140,7 @@ private:
     Block extremes() const { return cycle_extremes(context_, table_, plots_, width_, format_.content.height() / 2); }
     Block data() const {
         Block block;
-        set(block.marks, heading_block(context_, width_, word("data", context_.language), {}), {0, 0});
+        set(block.marks, heading_block(context_, width_, word(lang::sheet::data, context_.language), {}), {0, 0});
         block.height = heading_height;
         for (const RichText& each : cam_->data) {
             const Block line = paragraph_block(context_, width_, each, 0, "");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/bands.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/content/title_block.hpp"
@@ -53,8 +54,9 @@ public:
         set_text(is_question_ ? question() : key());
         if (is_question_) add_loops();
         if (options_.grid) add_blank_rooms(context_, format_, drawn_.figures, sheets_);
-        const Signature signature{options_.author, options_.date,
-                                  word(is_question_ ? "subtitle question" : "subtitle answers", context_.language)};
+        const Signature signature{
+            options_.author, options_.date,
+            word(is_question_ ? lang::sheet::subtitle_question : lang::sheet::subtitle_answers, context_.language)};
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i)
             pages.push_back(framed_page(context_, format_, signature, sheets_[i], i == 0 ? scale_ : std::nullopt, i + 1,
@@ -126,7 +128,7 @@ private:
         const Spot origin = solved.origin;
         Figure captioned = Figure::empty_at(solved.scale);
         captioned.unit = "m";
-        captioned.caption = one_piece(word("mechanism and its data", context_.language));
+        captioned.caption = one_piece(word(lang::sheet::mechanism_and_its_data, context_.language));
         const double words = caption_height(captioned);
         const auto drawn_in = [&](const Box& free) {
             Figure figure = exercise_figure_within(context_, solved.scale, {free.min - origin, free.max - origin});
@@ -157,16 +159,16 @@ private:
     // --- text
 
     double measure() const { return format_.measure / format_.text_size; }
-    Passage passage(const std::string& title, const std::vector<RichText>& paragraphs,
-                    const std::string& bullet) const {
+    Passage passage(Key title, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
         return passage_under(word(title, context_.language), paragraphs, bullet);
     }
     Passage passage_under(const std::string& words, const std::vector<RichText>& paragraphs,
                           const std::string& bullet) const {
-        Passage passage{heading_block(context_, measure(), words),
-                        heading_block(context_, measure(), words + ", " + word("continued", context_.language)),
-                        {},
-                        {}};
+        Passage passage{
+            heading_block(context_, measure(), words),
+            heading_block(context_, measure(), words + ", " + word(lang::sheet::continued, context_.language)),
+            {},
+            {}};
         for (const RichText& each : paragraphs)
             passage.rows.emplace_back(paragraph_block(context_, measure(), each, bullet.empty() ? 0 : 4, bullet));
         return passage;
@@ -174,12 +176,12 @@ private:
     std::vector<Passage> question() const {
         const std::vector<Answer> sought =
             answers_sought(context_.solution.mechanism, answers_of(context_, drawn_.figures));
-        Passage asked = passage("sought", sought_of(context_, asked_), "–");
+        Passage asked = passage(lang::sheet::sought, sought_of(context_, asked_), "–");
         if (has_turning_sense(context_.solution.mechanism))
-            asked.rows.emplace_back(
-                paragraph_block(context_, measure(), one_piece(word("quiz signs", context_.language)), 0, ""));
-        return {passage("data", data_of(context_), ""), std::move(asked),
-                passage("scales", scales_of(context_, drawn_.figures, sought), "–")};
+            asked.rows.emplace_back(paragraph_block(
+                context_, measure(), one_piece(word(lang::sheet::quiz_signs, context_.language)), 0, ""));
+        return {passage(lang::sheet::data, data_of(context_), ""), std::move(asked),
+                passage(lang::sheet::scales, scales_of(context_, drawn_.figures, sought), "–")};
     }
     std::vector<Passage> key() {
         std::vector<Passage> passages;
@@ -190,8 +192,8 @@ private:
         const std::vector<Answer> answers = key_of(context_, drawn_.figures, asked);
         const auto close = [&] {
             if (group.empty()) return;
-            const std::string heading =
-                section == Topic::unnamed ? word("answers", context_.language) : heading_of(section, context_.language);
+            const std::string heading = section == Topic::unnamed ? word(lang::sheet::answers, context_.language)
+                                                                  : heading_of(section, context_.language);
             Passage passage = passage_under(heading, {}, "");
             passage.take_table(answer_lines(context_, group, measure()));
             passages.push_back(std::move(passage));
@@ -205,13 +207,13 @@ private:
         close();
         add_equations(passages);
         std::vector<RichText> remarks = signs_of(context_);
-        remarks.push_back(one_piece(word("tolerances", context_.language)));
+        remarks.push_back(one_piece(word(lang::sheet::tolerances, context_.language)));
         if (auto remark = remark_on_unreadable(context_, answers)) {
             remarks_.push_back(*remark);
             remarks.push_back(*std::move(remark));
         }
         for (const Message& each : context_.solution.remarks) remarks.push_back(say(each, context_.language));
-        passages.push_back(passage("remarks", remarks, ""));
+        passages.push_back(passage(lang::sheet::remarks, remarks, ""));
         return passages;
     }
     bool seeks_equations() const {
@@ -334,8 +336,8 @@ std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& 
     return Handout(solution, asked, options, fonts).pages();
 }
 
-Key lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
-                   const Fonts& fonts) {
+LaidOutKey lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked,
+                          const SheetOptions& options, const Fonts& fonts) {
     Handout handout(solution, asked, options, fonts);
     std::vector<Page> pages = handout.pages();
     return {std::move(pages), std::move(handout).remarks()};

@@ -15,13 +15,13 @@ std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& 
                                   const std::vector<RequestedResult>& asked = {});
 
 /// The key, and remarks on it.
-struct Key {
+struct LaidOutKey {
     std::vector<Page> pages;
     std::vector<RichText> remarks;  ///< on answers that cannot be read off; they are on the pages, too
 };
 /// `asked`: the values of the results in `ask`. Without them the key lists only answers that the solution contains as a
 /// vector, ω, α, a couple or an input effort.
-Key lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
-                   const Fonts& fonts);
+LaidOutKey lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked,
+                          const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/formula.hpp"
@@ -107,8 +108,8 @@ private:
         std::string origin;
         for (const std::string& each : {options_.author, options_.date})
             if (!each.empty()) origin += each + "  ·  ";
-        const ShapedLine sheet = fonts_.shape(one_piece(origin + word("block sheet", options_.language) + " " +
-                                                        std::to_string(index) + "/" + std::to_string(count)),
+        const ShapedLine sheet = fonts_.shape(one_piece(origin + word(lang::sheet::block_sheet, options_.language) +
+                                                        " " + std::to_string(index) + "/" + std::to_string(count)),
                                               theme.small);
         const double baseline = format_.content.min.y + 4.5;
         set_text(page.marks, sheet, {format_.content.max.x - sheet.width, baseline}, theme.secondary, "text");

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/pairs.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/equations/prose.hpp"
 #include "render/figures/pair_figures.hpp"
@@ -55,14 +57,14 @@ std::string as_formula(std::string_view symbols) {
 
 /// What keeps the bodies of a pair in contact.
 Words closure_of(const PlanePair& pair) {
-    if (pair.meshes()) return {"form, by both flanks of a tooth", "di forma, per i due fianchi di un dente"};
-    if (pair.rolls()) return {"force, which also holds by friction", "di forza, che trattiene anche per attrito"};
-    if (pair.touches()) return {"force; form in a groove", "di forza; di forma in una scanalatura"};
-    return {"form", "di forma"};
+    if (pair.meshes()) return {lang::pairs::form_by_both_flanks};
+    if (pair.rolls()) return {lang::pairs::force_which_also_holds_by_friction};
+    if (pair.touches()) return {lang::pairs::force_form_in_a_groove};
+    return {lang::pairs::form};
 }
 Words closure_of(const SpacePair& pair) {
-    if (pair.key == "planar") return {"force; form between two plates", "di forza; di forma fra due piastre"};
-    return {"form", "di forma"};
+    if (pair.key == "planar") return {lang::pairs::force_form_between_two_plates};
+    return {lang::pairs::form};
 }
 
 class CatalogueText {
@@ -75,7 +77,7 @@ public:
 
 private:
     std::string say(const Words& words) const { return in(words, context_.language); }
-    std::string say_word(const std::string& key) const { return word(key, context_.language); }
+    std::string say_word(Key key) const { return word(key, context_.language); }
     /// Names begin with an ASCII letter in all languages.
     static std::string capital(std::string name) {
         if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
@@ -90,144 +92,106 @@ private:
     RichText plain_line(const Words& words) const { return formula(say(words)); }
 
     Section plane_pairs_drawn() const {
-        Section section{"plane-pairs", {say_word("pairs of the plane")}, 4, 40, {}};
+        Section section{"plane-pairs", {say_word(lang::sheet::pairs_of_the_plane)}, 4, 40, {}};
         for (const PlanePair& pair : plane_pairs) {
-            const std::string key(pair.key);
-            Card card{capital(say_word("pair " + key)),
+            Card card{capital(say_word(pair.texts.name)),
                       [this, kind = pair.kind] { return plane_pair_figure(context_, kind); },
                       {}};
             const std::string freedoms = std::to_string(pair.freedoms());
-            card.lines.push_back(fact(say_word("class"),
-                                      pair.freedoms() > 0
-                                          ? freedoms
-                                          : say({"none, the two are one body", "nessuna, i due sono un corpo solo"})));
+            card.lines.push_back(fact(say_word(lang::sheet::class_word),
+                                      pair.freedoms() > 0 ? freedoms : say({lang::pairs::none_the_two_are_one_body})));
             card.lines.push_back(
-                fact(say_word("freedoms left"),
-                     freedoms + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")));
-            card.lines.push_back(fact(say_word("reaction"), say_word("reaction " + key)));
-            card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
+                fact(say_word(lang::sheet::freedoms_left),
+                     freedoms + (pair.freedoms() > 0 ? " (" + say_word(pair.texts.freedoms) + ")" : "")));
+            card.lines.push_back(fact(say_word(lang::sheet::reaction), say_word(pair.texts.reaction)));
+            card.lines.push_back(fact(say({lang::pairs::closure}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
         section.cards.push_back(key_to_arrows());
         return section;
     }
     Card key_to_arrows() const {
-        Card card{say({"How to read it", "Come si legge"}), nullptr, {}};
+        Card card{say({lang::pairs::how_to_read}), nullptr, {}};
         for (const Words& line :
-             {Words("Left the pair with the motions that it allows its bodies against each other: dashed arrows.",
-                    "A sinistra la coppia con i moti relativi che consente: frecce tratteggiate."),
-              Words("Right one body alone with the reactions that the other transmits to it: full arrows.",
-                    "A destra un corpo isolato con le reazioni che l’altro gli trasmette: frecce piene."),
-              Words("The class is the number of the freedoms left. In the plane freedoms and components of the "
-                    "reaction add up to three, in space to six.",
-                    "La classe è il numero delle libertà residue. Nel piano libertà e componenti della reazione sono "
-                    "in tutto tre, nello spazio sei."),
-              Words("Form closure: the bodies enclose each other. Force closure: a weight or a spring holds them "
-                    "together.",
-                    "Accoppiamento di forma: i corpi si trattengono per la loro forma. Di forza: li tiene a contatto "
-                    "un peso o una molla.")})
+             {Words(lang::pairs::left_the_pair_with_the_motions), Words(lang::pairs::right_one_body_alone),
+              Words(lang::pairs::the_class_is_the_number), Words(lang::pairs::form_closure_the_bodies_enclose_each)})
             card.lines.push_back(plain_line(line));
         return card;
     }
 
     Section space_pairs_drawn() const {
-        Section section{"space-pairs", {say_word("lower pairs in space")}, 3, 51, {}};
+        Section section{"space-pairs", {say_word(lang::sheet::lower_pairs_in_space)}, 3, 51, {}};
         for (const SpacePair& pair : space_pairs) {
-            Card card{capital(say_word("space " + std::string(pair.key))),
-                      [this, &pair] { return space_pair_figure(context_, pair); },
-                      {}};
-            card.lines.push_back(fact(say_word("class"), std::to_string(pair.freedoms)));
-            card.lines.push_back(
-                fact(say_word("freedoms left"), std::to_string(pair.freedoms) + " (" + as_formula(pair.motions) + ")"));
-            card.lines.push_back(fact(say_word("reaction"),
+            Card card{capital(say_word(pair.name)), [this, &pair] { return space_pair_figure(context_, pair); }, {}};
+            card.lines.push_back(fact(say_word(lang::sheet::class_word), std::to_string(pair.freedoms)));
+            card.lines.push_back(fact(say_word(lang::sheet::freedoms_left),
+                                      std::to_string(pair.freedoms) + " (" + as_formula(pair.motions) + ")"));
+            card.lines.push_back(fact(say_word(lang::sheet::reaction),
                                       as_formula(pair.reactions) + " (" + std::to_string(pair.reaction_count()) + ")"));
-            card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
+            card.lines.push_back(fact(say({lang::pairs::closure}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
-        section.closing = in_all([](Language language) { return word("axes of pairs", language); }) +
-                          Words(" A couple is a vector with two heads.", " Una coppia è un vettore con due punte.");
+        section.closing = in_all([](Language language) { return word(lang::sheet::axes_of_pairs, language); }) +
+                          Words(lang::pairs::a_couple_is_a_vector);
         return section;
     }
 
     Section closures() const {
-        Section section{"closure", {"Form closure and force closure", "Accoppiamento di forma e di forza"}, 2, 34, {}};
-        section.cards.push_back(
-            {say({"Form closure", "Accoppiamento di forma"}),
-             [this] { return closure_figure(context_, Closure::form); },
-             {plain_line({"The slot holds the roller on both sides: the reaction may have either sense.",
-                          "La scanalatura trattiene la rotella dai due lati: la reazione può avere i due versi."})}});
-        section.cards.push_back({say({"Force closure", "Accoppiamento di forza"}),
+        Section section{"closure", {lang::pairs::form_closure_and_force_closure}, 2, 34, {}};
+        section.cards.push_back({say({lang::pairs::form_closure}),
+                                 [this] { return closure_figure(context_, Closure::form); },
+                                 {plain_line({lang::pairs::the_slot_holds_the_roller})}});
+        section.cards.push_back({say({lang::pairs::force_closure}),
                                  [this] { return closure_figure(context_, Closure::force); },
-                                 {plain_line({"A spring or a weight presses the roller on one side: the reaction can "
-                                              "only push, else the bodies part.",
-                                              "Una molla o un peso preme la rotella da un lato: la reazione può solo "
-                                              "spingere, altrimenti i corpi si staccano."})}});
+                                 {plain_line({lang::pairs::a_spring_or_a_weight_presses})}});
         return section;
     }
     Section links() const {
-        Section section{
-            "links", {"Bodies by the number of their pairs", "Membri secondo il numero delle coppie"}, 3, 25, {}};
-        const std::array<Words, 3> names{Words("Binary body", "Membro binario"),
-                                         Words("Ternary body", "Membro ternario"),
-                                         Words("Quaternary body", "Membro quaternario")};
+        Section section{"links", {lang::pairs::bodies_by_the_number_of_their}, 3, 25, {}};
+        const std::array<Words, 3> names{Words(lang::pairs::binary_body), Words(lang::pairs::ternary_body),
+                                         Words(lang::pairs::quaternary_body)};
         for (int pairs = 2; pairs <= 4; ++pairs)
             section.cards.push_back({say(names.at(static_cast<std::size_t>(pairs) - 2)),
                                      [this, pairs] { return link_figure(context_, pairs); },
-                                     {plain_line(Words("{0} pairs", "{0} coppie", std::to_string(pairs)))}});
+                                     {plain_line(Words(lang::pairs::pairs, std::to_string(pairs)))}});
         return section;
     }
     Section chains() const {
-        Section section{"chains", {"Open and closed chains", "Catene aperte e chiuse"}, 3, 37, {}};
+        Section section{"chains", {lang::pairs::open_and_closed_chains}, 3, 37, {}};
         const auto card = [&](const Words& name, ChainDrawn chain, const Words& line) {
             section.cards.push_back(
                 {say(name), [this, chain] { return chain_figure(context_, chain); }, {plain_line(line)}});
         };
-        card({"Open chain", "Catena aperta"}, ChainDrawn::open,
-             {"No loop: each body hangs on the one before it, and the last is free.",
-              "Nessuna maglia: ogni membro segue il precedente e l’ultimo è libero."});
-        card({"Closed chain", "Catena chiusa"}, ChainDrawn::closed,
-             {"Loops, and each body has at least two pairs: {l} = {c} − {m} + 1 independent ones, of {c} binary pairs "
-              "and {m} bodies.",
-              "Maglie, e ogni membro ha almeno due coppie: {l} = {c} − {m} + 1 indipendenti, con {c} coppie binarie e "
-              "{m} membri."});
-        card({"Mixed chain", "Catena mista"}, ChainDrawn::mixed,
-             {"Loops, and bodies that hang on one pair alone.", "Maglie, e membri che hanno una sola coppia."});
+        card({lang::pairs::open_chain}, ChainDrawn::open, {lang::pairs::no_loop_each_body_hangs});
+        card({lang::pairs::closed_chain}, ChainDrawn::closed, {lang::pairs::loops_and_each_body});
+        card({lang::pairs::mixed_chain}, ChainDrawn::mixed, {lang::pairs::loops_and_bodies_that_hang});
         return section;
     }
     Section hinges() const {
-        Section section{"hinges", {say_word("multiple hinges")}, 4, 36, {}};
-        section.cards.push_back({say({"Hinge of three bodies", "Cerniera di tre corpi"}),
-                                 [this] { return triple_hinge_figure(context_, nullptr); },
-                                 {fact(say_word("multiplicity"), "2"), formula(say_word("multiplicity rule"))}});
+        Section section{"hinges", {say_word(lang::sheet::multiple_hinges)}, 4, 36, {}};
+        section.cards.push_back(
+            {say({lang::pairs::hinge_of_three_bodies}),
+             [this] { return triple_hinge_figure(context_, nullptr); },
+             {fact(say_word(lang::sheet::multiplicity), "2"), formula(say_word(lang::sheet::multiplicity_rule))}});
         const std::vector<BinaryScheme> schemes = binary_schemes(3);
         for (std::size_t i = 0; i < schemes.size(); ++i) {
             std::string hinges;
             for (const auto& hinge : schemes[i].hinges)
                 hinges += "(" + std::to_string(hinge[0] + 1) + "–" + std::to_string(hinge[1] + 1) + ")";
-            section.cards.push_back(
-                {say(Words("Equivalent scheme {0}", "Schema equivalente {0}", std::to_string(i + 1))),
-                 [this, scheme = schemes[i]] { return triple_hinge_figure(context_, &scheme); },
-                 {fact(say({"two binary hinges", "due cerniere binarie"}), hinges)}});
+            section.cards.push_back({say(Words(lang::pairs::equivalent_scheme, std::to_string(i + 1))),
+                                     [this, scheme = schemes[i]] { return triple_hinge_figure(context_, &scheme); },
+                                     {fact(say({lang::pairs::two_binary_hinges}), hinges)}});
         }
-        section.cards.back().lines.push_back(formula(say_word("stars rule")));
+        section.cards.back().lines.push_back(formula(say_word(lang::sheet::stars_rule)));
         return section;
     }
     Section schemes_of_four() const {
-        Section section{"schemes",
-                        {"Hinge of four bodies: bodies as dots, binary hinges as lines",
-                         "Cerniera di quattro corpi: corpi come punti, cerniere binarie come linee"},
-                        8,
-                        20,
-                        {}};
+        Section section{"schemes", {lang::pairs::hinge_of_four_bodies_bodies}, 8, 20, {}};
         const std::vector<BinaryScheme> schemes = binary_schemes(4);
         for (std::size_t i = 0; i < schemes.size(); ++i)
             section.cards.push_back(
                 {std::to_string(i + 1), [this, scheme = schemes[i]] { return scheme_figure(context_, scheme); }, {}});
-        section.closing = {
-            "In all there are {n}^{n − 2} schemes, as many as trees on {n} bodies (Cayley): 1, 3, 16, 125, 1296 for 2, "
-            "3, 4, 5, 6 bodies; of these {n} have all hinges on one body.",
-            "In tutto gli schemi sono {n}^{n − 2}, quanti gli alberi su {n} corpi (Cayley): 1, 3, 16, 125, 1296 per 2, "
-            "3, 4, 5, 6 corpi; fra questi {n} hanno tutte le cerniere su un corpo."};
+        section.closing = {lang::pairs::in_all_there_are_n_n};
         return section;
     }
 
@@ -330,7 +294,8 @@ private:
 
 std::vector<Page> lay_out_catalogue(const SheetOptions& options, const Fonts& fonts) {
     Solution solution;
-    solution.mechanism.title = in_all([](Language language) { return word("catalogue of pairs", language); });
+    solution.mechanism.title =
+        in_all([](Language language) { return word(lang::sheet::catalogue_of_pairs, language); });
     const DrawingContext context{solution, options.theme, fonts, options.language, Dimensions::off};
     const CatalogueText text(context);
     return CatalogueSheet(context, options).pages(text.sections());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/content/title_block.hpp"
 #include "render/layout/drawn_sheet.hpp"
@@ -59,7 +60,7 @@ public:
     QuizItem item(const std::vector<RequestedResult>& asked) {
         item_.title = title_of(solution_, language());
         item_.language = code_of(language());
-        item_.blanks_heading = word("sought", language());
+        item_.blanks_heading = word(lang::sheet::sought, language());
         if (is_problem_)
             tell_problem();
         else
@@ -82,9 +83,9 @@ private:
         const Box content = content_of(format_, true);
         item_.figure = page_of_figure(
             context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
-        item_.question.push_back({word("data", language()), data_of(context_)});
+        item_.question.push_back({word(lang::sheet::data, language()), data_of(context_)});
         if (auto scales = scales_of(context_, drawn_, answers_sought(solution_.mechanism, answers_)); !scales.empty())
-            item_.question.push_back({word("scales", language()), std::move(scales)});
+            item_.question.push_back({word(lang::sheet::scales, language()), std::move(scales)});
         for (const Statement& each : solution_.protocol.statements)
             if (!names_a_pair(each.message.sentence)) section_of(each.section).push_back(sentence(each));
         std::erase_if(item_.solution, [](const QuizSection& each) { return each.paragraphs.empty(); });
@@ -158,9 +159,9 @@ private:
                     kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment;
             has_vectors = has_vectors || is_length(each.column);
         }
-        if (turns) item_.notes.push_back(one_piece(word("quiz signs", language())));
-        if (has_vectors) item_.notes.push_back(one_piece(word("quiz lengths", language())));
-        if (!is_problem_) item_.notes.push_back(one_piece(word("tolerances", language())));
+        if (turns) item_.notes.push_back(one_piece(word(lang::sheet::quiz_signs, language())));
+        if (has_vectors) item_.notes.push_back(one_piece(word(lang::sheet::quiz_lengths, language())));
+        if (!is_problem_) item_.notes.push_back(one_piece(word(lang::sheet::tolerances, language())));
     }
     static bool is_length(const Column& column) {
         const Quantity::Kind kind = column.quantity.kind;
@@ -170,7 +171,7 @@ private:
     }
     /// The numerical answers, at the end of the solution.
     void add_results() {
-        QuizSection results{word("answers", language()), {}};
+        QuizSection results{word(lang::sheet::answers, language()), {}};
         for (const QuizBlank& each : item_.blanks) {
             RichText line = each.symbol;
             append(line, std::string(" = "));

@@ -6,6 +6,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
@@ -51,7 +52,7 @@ public:
         text += mobility();
         text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() +
                 resultants();
-        const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
+        const auto list = [&](Key key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
             text += "\n" + word(key, language_) + "\n";
             for (const std::string& each : lines) text += "  " + each + "\n";
@@ -59,14 +60,15 @@ public:
         std::vector<std::string> open;
         for (const Unsolved& each : solution_.unsolved)
             open.push_back(tell(each.what, language_) + ": " + tell(each.why, language_));
-        list("unsolved", open);
+        list(lang::sheet::unsolved, open);
         std::vector<std::string> remarks;
         for (const Message& each : solution_.remarks) remarks.push_back(tell(each, language_));
-        list("remarks", remarks);
+        list(lang::sheet::remarks, remarks);
         if (!solution_.checks.empty()) {
             double worst = 0;
             for (const CheckRow& row : solution_.checks) worst = std::max(worst, std::abs(row.difference));
-            text += "\n" + word("largest difference", language_) + ": " + number(worst, 2, language_) + " (SI)\n";
+            text += "\n" + word(lang::sheet::largest_difference, language_) + ": " + number(worst, 2, language_) +
+                    " (SI)\n";
         }
         return text;
     }
@@ -87,11 +89,12 @@ private:
     std::string mobility() const {
         const Mobility& m = solution_.mobility;
         const auto n = [](int v) { return (v < 0 ? "−" : "") + std::to_string(std::abs(v)); };
-        std::string text =
-            word("mobility", language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2);
+        std::string text = word(lang::sheet::mobility, language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" +
+                           n(m.class_1) + " − " + n(m.class_2);
         if (m.welds > 0) text += " − 3·" + n(m.welds);
-        text += " = " + n(m.gruebler) + " " + word("by Grübler", language_) + ", " + n(m.effective) + " " +
-                word(m.effective == 1 ? "effective one" : "effective", language_) + ": " + verdict_words(m, language_);
+        text += " = " + n(m.gruebler) + " " + word(lang::sheet::by_gruebler, language_) + ", " + n(m.effective) + " " +
+                word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective, language_) + ": " +
+                verdict_words(m, language_);
         return text + "\n";
     }
 
@@ -100,7 +103,7 @@ private:
         const std::string alpha = plain(typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
         const bool has_alpha = std::any_of(solution_.bodies.begin(), solution_.bodies.end(),
                                            [](const BodyMotion& b) { return b.alpha.has_value(); });
-        std::vector<Cells> rows{{word("body", language_), "ω [" + units.angular_velocity.symbol + "]"}};
+        std::vector<Cells> rows{{word(lang::sheet::body, language_), "ω [" + units.angular_velocity.symbol + "]"}};
         if (has_alpha) rows[0].push_back(alpha + " [rad/s²]");
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
             const BodyMotion& motion = solution_.bodies[b];
@@ -112,14 +115,14 @@ private:
             if (has_alpha)
                 rows.back().push_back(motion.alpha ? value(speeding, *motion.alpha, Unit{"rad/s²", 1}) : "–");
         }
-        return table(word("bodies", language_), rows);
+        return table(word(lang::sheet::bodies, language_), rows);
     }
 
     std::string points(bool velocity) const {
         const Unit& unit = velocity ? solution_.mechanism.units.velocity : solution_.mechanism.units.acceleration;
         const std::string v = velocity ? "v" : "a", in_unit = " [" + unit.symbol + "]";
         std::vector<Cells> rows{
-            {word("point", language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
+            {word(lang::sheet::point, language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
         for (const PointMotion& motion : solution_.points) {
             const auto& vector = velocity ? motion.velocity : motion.acceleration;
             if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), frame) != motion.bodies.end())
@@ -129,7 +132,7 @@ private:
             const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
                                              [&](const PointMotion& other) { return other.point == motion.point; });
             if (twins > 1 && !motion.bodies.empty()) {
-                label += " " + word("on", language_) + " ";
+                label += " " + word(lang::sheet::on, language_) + " ";
                 for (std::size_t i = 0; i < motion.bodies.size(); ++i)
                     label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
             }
@@ -137,38 +140,40 @@ private:
             rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit),
                             length_of(quantity.kind, *vector, unit)});
         }
-        return table(word(velocity ? "velocities" : "accelerations", language_), rows);
+        return table(word(velocity ? lang::sheet::velocities : lang::sheet::accelerations, language_), rows);
     }
 
     std::string sliding() const {
         const Units& units = solution_.mechanism.units;
-        std::vector<Cells> rows{{word("at", language_), "|v| [" + units.velocity.symbol + "]",
+        std::vector<Cells> rows{{word(lang::sheet::at, language_), "|v| [" + units.velocity.symbol + "]",
                                  "|a| [" + units.acceleration.symbol + "]",
-                                 word("coriolis", language_) + " [" + units.acceleration.symbol + "]"}};
+                                 word(lang::sheet::coriolis, language_) + " [" + units.acceleration.symbol + "]"}};
         for (const Sliding& each : solution_.sliding) {
             const Joint& joint = solution_.mechanism.joint(each.joint);
             std::string label = joint.name;
             if (joint.bodies.size() == 2)
-                label += ": " + body(joint.bodies[0]) + " " + word("on", language_) + " " + body(joint.bodies[1]);
+                label +=
+                    ": " + body(joint.bodies[0]) + " " + word(lang::sheet::on, language_) + " " + body(joint.bodies[1]);
             rows.push_back(
                 {label, each.velocity ? length_of(Kind::sliding_velocity, *each.velocity, units.velocity) : "–",
                  each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration)
                                    : "–",
                  each.coriolis ? length_of(Kind::sliding_coriolis, *each.coriolis, units.acceleration) : "–"});
         }
-        return table(word("sliding", language_), rows);
+        return table(word(lang::sheet::sliding, language_), rows);
     }
 
     std::string relative() const {
         const Units& units = solution_.mechanism.units;
-        std::vector<Cells> rows{{word("point", language_), "|v| [" + units.velocity.symbol + "]",
+        std::vector<Cells> rows{{word(lang::sheet::point, language_), "|v| [" + units.velocity.symbol + "]",
                                  "|a| [" + units.acceleration.symbol + "]"}};
         for (const RelativeMotion& each : solution_.relative_motion) {
             const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
             const std::string observer =
                 each.query.translating_with != none
-                    ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
-                    : word("seen from body", language_) + " " + body(each.query.observer);
+                    ? word(lang::sheet::seen_from_axes_translating_with, language_) + " " +
+                          point(each.query.translating_with)
+                    : word(lang::sheet::seen_from_body, language_) + " " + body(each.query.observer);
             rows.push_back(
                 {point(each.query.point) + " " + observer,
                  each.relative_velocity ? length_of(Kind::velocity, *each.relative_velocity, units.velocity) : "–",
@@ -176,7 +181,7 @@ private:
                      ? length_of(Kind::acceleration, *each.relative_acceleration, units.acceleration)
                      : "–"});
         }
-        return table(word("relative motion", language_), rows);
+        return table(word(lang::sheet::relative_motion, language_), rows);
     }
 
     /// "750 ∥ (0, 1)".
@@ -193,26 +198,27 @@ private:
         const std::string in_force = " [" + force.symbol + "]";
         const bool couples = std::any_of(solution_.forces.begin(), solution_.forces.end(),
                                          [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
-        std::vector<Cells> rows{{word("joint", language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
+        std::vector<Cells> rows{
+            {word(lang::sheet::joint, language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
         if (couples) rows[0].push_back("M [" + moment.symbol + "]");
         const Quantity any_force{.kind = Kind::force};
         for (const JointForce& each : solution_.forces) {
-            const std::string from = each.from == none ? word("pin", language_) : body(each.from);
-            const std::string on = each.on == none ? word("pin", language_) : body(each.on);
-            rows.push_back(
-                {solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
-                 each.force ? value(any_force, each.force->x, force) : "–",
-                 each.force ? value(any_force, each.force->y, force) : "–",
-                 each.force       ? length_of(Kind::force, *each.force, force)
-                 : each.component ? component(each, force)
-                                  : "–"});
+            const std::string from = each.from == none ? word(lang::sheet::pin, language_) : body(each.from);
+            const std::string on = each.on == none ? word(lang::sheet::pin, language_) : body(each.on);
+            rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " +
+                                word(lang::sheet::on, language_) + " " + on,
+                            each.force ? value(any_force, each.force->x, force) : "–",
+                            each.force ? value(any_force, each.force->y, force) : "–",
+                            each.force       ? length_of(Kind::force, *each.force, force)
+                            : each.component ? component(each, force)
+                                             : "–"});
             if (couples) rows.back().push_back(each.couple ? value({.kind = Kind::couple}, *each.couple, moment) : "–");
         }
-        return table(word("reactions heading", language_), rows);
+        return table(word(lang::sheet::reactions_heading, language_), rows);
     }
 
     std::string efforts() const {
-        std::vector<Cells> rows{{word("effort", language_), "", ""}};
+        std::vector<Cells> rows{{word(lang::sheet::effort, language_), "", ""}};
         const std::vector<EffortValue> efforts = efforts_found(solution_);
         for (std::size_t e = 0; e < efforts.size(); ++e) {
             const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[e]);
@@ -220,30 +226,31 @@ private:
             const EffortValue& effort = efforts[e];
             rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
         }
-        return table(word("efforts", language_), rows);
+        return table(word(lang::sheet::efforts, language_), rows);
     }
 
     std::string resultants() const {
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
-        std::vector<Cells> rows{{word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]",
-                                 "M [" + moment.symbol + "]", ""}};
+        std::vector<Cells> rows{{word(lang::sheet::body, language_), "Fx [" + force.symbol + "]",
+                                 "Fy [" + force.symbol + "]", "M [" + moment.symbol + "]", ""}};
         for (const Resultant& each : solution_.resultants) {
             std::string names;
             for (const BodyIndex b : each.bodies) names += (names.empty() ? "" : ", ") + body(b);
-            rows.push_back({names, value(each.force->x, force), value(each.force->y, force),
-                            value(*each.couple, moment),
-                            word(each.vanishes ? "in equilibrium" : "not in equilibrium", language_)});
+            rows.push_back(
+                {names, value(each.force->x, force), value(each.force->y, force), value(*each.couple, moment),
+                 word(each.vanishes ? lang::sheet::in_equilibrium : lang::sheet::not_in_equilibrium, language_)});
         }
-        return table(word("resultant of what is given", language_), rows);
+        return table(word(lang::sheet::resultant_of_what_is_given, language_), rows);
     }
 
     std::string centres() const {
         const Unit& unit = solution_.mechanism.units.length;
-        std::vector<Cells> rows{{word("centre", language_), "x [" + unit.symbol + "]", "y [" + unit.symbol + "]"}};
+        std::vector<Cells> rows{
+            {word(lang::sheet::centre, language_), "x [" + unit.symbol + "]", "y [" + unit.symbol + "]"}};
         for (const InstantCentre& centre : solution_.centres) {
             const std::string name = body(centre.first) + "," + body(centre.second);
             if (centre.as_one) {
-                rows.push_back({name, word("everywhere", language_), ""});
+                rows.push_back({name, word(lang::sheet::everywhere, language_), ""});
             } else if (centre.at && !centre.at->at_infinity()) {
                 const Vector at = centre.at->place();
                 const Quantity place{.kind = Kind::centre};
@@ -253,10 +260,11 @@ private:
                 const Spot along = unit_of(centre.at->place());
                 rows.push_back({name, "∞ · " + value(along.x), "∞ · " + value(along.y)});
             } else {
-                rows.push_back({name, word(centre.everywhere ? "everywhere" : "not found", language_), ""});
+                rows.push_back(
+                    {name, word(centre.everywhere ? lang::sheet::everywhere : lang::sheet::not_found, language_), ""});
             }
         }
-        return table(word("instant centres", language_), rows);
+        return table(word(lang::sheet::instant_centres, language_), rows);
     }
     static Spot unit_of(const Vector& v) {
         const Exact largest = std::max(abs(v.x), abs(v.y));

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/layout/sheet_choice.hpp"
 #include "render/layout/sheet_pages.hpp"
@@ -154,9 +155,9 @@ private:
                         most = std::max(most.value_or(drawn.figure.scale), drawn.figure.scale);
                     }
                     otherwise = tries_again || otherwise;
-                    if (asks && !tries_again) otherwise = remark(drawn, "scale refused", {}) || otherwise;
+                    if (asks && !tries_again) otherwise = remark(drawn, lang::sheet::scale_refused, {}) || otherwise;
                     if (const std::vector<RichText>& left_out = drawn.figure.unnamed; !left_out.empty())
-                        otherwise = remark(drawn, "names left out", left_out) || otherwise;
+                        otherwise = remark(drawn, lang::sheet::names_left_out, left_out) || otherwise;
                 }
                 otherwise = needs_.has_outgrown(drawn) || otherwise;
             }
@@ -166,7 +167,7 @@ private:
         return true;
     }
     /// Adds a remark to a figure: the words, then `followed_by`. False if it has the remark already.
-    bool remark(const DrawnFigure& drawn, const char* words, const std::vector<RichText>& followed_by) {
+    bool remark(const DrawnFigure& drawn, Key words, const std::vector<RichText>& followed_by) {
         constexpr std::size_t most_listed = 12;
         RichText text = drawn.figure.caption;
         append(text, one_piece(": " + word(words, context_.language)));
@@ -176,7 +177,7 @@ private:
         }
         if (followed_by.size() > most_listed)
             append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
-        if (!bands_.remark(wanted_.list[drawn.wanted].name + words, text)) return false;
+        if (!bands_.remark(wanted_.list[drawn.wanted].name + words.name(), text)) return false;
         plan_.texts().forget("remarks");
         return true;
     }

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "engine/file/words.hpp"
 #include "engine/solution/solution.hpp"
+#include "lang/words.hpp"
 
 namespace kinegraph::render {
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <variant>
 
+#include "lang/keys/sentences.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
@@ -32,13 +33,13 @@ std::vector<ShownStatement> StatementFigures::all() const {
             figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
         else if (found != polygon_of.end() && is_plane_of_motion(found->second))
             figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
-        else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)
+        else if (statement.section == Topic::centres || statement.message.sentence == lang::sentences::second_way)
             figure = "centres";
         else
             figure = last_in[statement.section];
         if (figure.empty()) figure = first_polygon_of(statement.section);
         if (!is_wanted(figure)) figure = "mechanism";
-        if (statement.message.sentence != Sentence::second_way) last_in[statement.section] = figure;
+        if (statement.message.sentence != lang::sentences::second_way) last_in[statement.section] = figure;
         all.push_back({i, figure});
     }
     return all;
@@ -57,7 +58,8 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
     for (const Topic section : sections)
         for (const bool again : {false, true})
             for (const StatementIndex i : indices_of(statements()))
-                if (statement(i).section == section && (statement(i).message.sentence == Sentence::second_way) == again)
+                if (statement(i).section == section &&
+                    (statement(i).message.sentence == lang::sentences::second_way) == again)
                     order.push_back(i);
     return order;
 }

@@ -9,6 +9,8 @@
 #include <string>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/sentences.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/equations/prose.hpp"
@@ -199,7 +201,7 @@ private:
         for (const Wanted& wanted : wanted_.list) {
             if (!wanted.name.starts_with("closure")) continue;
             Step joined{wanted.name, Topic::forces, {}, {}, 0, false, true};
-            joined.rows.push_back(paragraph(one_piece(word("polygons joined", context_.language))));
+            joined.rows.push_back(paragraph(one_piece(word(lang::sheet::polygons_joined, context_.language))));
             steps_.push_back(std::move(joined));
         }
         if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
@@ -225,7 +227,7 @@ private:
         step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
                      !contents.found(names_cited(solution_, {index}, context_.language)).empty();
         // Loads acting alone begin a new sequence.
-        const bool begins = statement.message.sentence == Sentence::superposition;
+        const bool begins = statement.message.sentence == lang::sentences::superposition;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
             steps_.back().height + height > prose_.height() - head_height) {
             steps_.push_back(std::move(step));
@@ -384,8 +386,8 @@ private:
         return alone;
     }
     std::string heading_of(const Step& step) const {
-        if (step.section == Topic::unnamed) return word("steps", context_.language);
-        return word("steps " + std::string(name_of(step.section)), context_.language);
+        if (step.section == Topic::unnamed) return word(lang::sheet::steps, context_.language);
+        return word(steps_heading(step.section), context_.language);
     }
 
     static constexpr double head_height = 9;

@@ -12,6 +12,7 @@
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
@@ -318,10 +319,10 @@ private:
     }
     std::string head_word(std::size_t column) const {
         switch (column) {
-            case 1: return word("value", context_.language);
+            case 1: return word(lang::sheet::value, context_.language);
             case 2: return tolerances_ ? "±" : "";
-            case 3: return word("unit", context_.language);
-            case 4: return word("direction", context_.language);
+            case 3: return word(lang::sheet::unit, context_.language);
+            case 4: return word(lang::sheet::direction, context_.language);
             default: return "";
         }
     }
@@ -345,7 +346,7 @@ private:
         if (turns && answer.value > 0) text.insert(0, "+");
         if (answer.at) text = pair_of(value((*answer.at)[0]), value((*answer.at)[1]), language);
         const bool at_infinity = answer.section == Topic::centres && !answer.at;
-        cells.all[1] = shape(at_infinity ? word("at infinity", language) : text, size);
+        cells.all[1] = shape(at_infinity ? word(lang::sheet::at_infinity, language) : text, size);
         if (answer.tolerance) cells.all[2] = shape(number(rounded_up(*answer.tolerance), 1, language), size);
         if (!at_infinity) cells.all[3] = shape(answer.unit, size);
         if (answer.direction) cells.all[4] = shape(fixed(*answer.direction, 1, language) + "°", size);

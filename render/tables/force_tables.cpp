@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 #include "render/tables/truss_table.hpp"
@@ -63,15 +64,16 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Language language = context.language;
-    if (applied.kind == ForceKind::weight && applied.force.x.is_zero()) return one_piece(word("vertical", language));
-    if (is_load(applied.kind)) return one_piece(word("given", language));
-    if (applied.joint == none) return one_piece(word("given", language));
+    if (applied.kind == ForceKind::weight && applied.force.x.is_zero())
+        return one_piece(word(lang::sheet::vertical, language));
+    if (is_load(applied.kind)) return one_piece(word(lang::sheet::given, language));
+    if (applied.joint == none) return one_piece(word(lang::sheet::given, language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
-    if (applied.kind == ForceKind::effort) return one_piece("∥ " + word("guide", language));
-    if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
+    if (applied.kind == ForceKind::effort) return one_piece("∥ " + word(lang::sheet::guide, language));
+    if (joint.pair().is_sleeve()) return one_piece("⟂ " + word(lang::sheet::guide, language));
     // Teeth transmit force at the pressure angle, not along the common normal of the pitch curves.
-    if (joint.pair().meshes()) return one_piece(word("line of the teeth", language));
-    if (!joint.pair().holds_point()) return one_piece(word("normal", language));
+    if (joint.pair().meshes()) return one_piece(word(lang::sheet::line_of_the_teeth, language));
+    if (!joint.pair().holds_point()) return one_piece(word(lang::sheet::normal, language));
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);
     // A two-force body: the line passes through its other joint.
@@ -124,8 +126,8 @@ EquationColumn equation_column(const DrawingContext& context, const FreeBody& bo
     const std::optional<RichText> line = line_of(context, body, applied);
     column.direction = column.magnitude || applied.kind != ForceKind::reaction || line;
     column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
-    column.line =
-        context.fonts.shape(line ? *line : one_piece(word("any line", context.language)), context.theme.small);
+    column.line = context.fonts.shape(line ? *line : one_piece(word(lang::sheet::any_line, context.language)),
+                                      context.theme.small);
     column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
     return column;
 }
@@ -149,7 +151,7 @@ std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext
     return columns;
 }
 
-constexpr std::array<const char*, 3> equation_rows{"magnitude", "direction", "line"};
+constexpr std::array<Key, 3> equation_rows{lang::sheet::magnitude, lang::sheet::direction, lang::sheet::line};
 
 /// The equation F_g + F_01 + F_21 = 0, with rows of known and sought properties below it.
 class ForceEquation {
@@ -292,10 +294,10 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
         most = std::max(most, along(place));
     }
     if (most - least > small && (at < least - small || at > most + small))
-        return one_piece(word("passes outside", context.language));
+        return one_piece(word(lang::sheet::passes_outside, context.language));
     const Unit& unit = mechanism.units.length;
     RichText text = one_piece(number(std::abs(at) / unit.si.to_double(), 4, context.language) + " " + unit.symbol +
-                              " " + word("passes beside", context.language) + " ");
+                              " " + word(lang::sheet::passes_beside, context.language) + " ");
     append(text, point(mechanism, joint.point, context.language));
     return text;
 }

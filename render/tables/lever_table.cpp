@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
 
@@ -59,7 +60,7 @@ public:
             if (!entry.couple.is_zero()) add_couple(entry);
         }
         sum_.letters = theme_.text;
-        sum_.cells[0] = shape(word("sum", context_.language), theme_.body_text);
+        sum_.cells[0] = shape(word(lang::sheet::sum, context_.language), theme_.body_text);
         sum_.cells[3] = shape(power(work_.total.to_double()), theme_.body_text);
     }
 
@@ -87,7 +88,8 @@ public:
         set_line(sum_, baseline + 0.8, theme_.text);
         rule(baseline + 2.5, theme_.outline);
         baseline += 7;
-        const std::string said = word(couples_ ? "lever with couples" : "lever of forces", context_.language);
+        const std::string said =
+            word(couples_ ? lang::sheet::lever_with_couples : lang::sheet::lever_of_forces, context_.language);
         for (ShapedLine& each : context_.fonts.wrap(with_quantities(said), theme_.small, block.width)) {
             set_text(block.marks, std::move(each), {0, baseline}, theme_.secondary, "text");
             baseline += 3.9;
@@ -122,12 +124,13 @@ private:
 
     void add_head() {
         const Language language = context_.language;
-        head_ = {{shape("", theme_.small), shape(word("magnitude", language), theme_.small), {}, {}}, theme_.secondary};
-        RichText arm = one_piece(word("lever arm", language) + " ");
+        head_ = {{shape("", theme_.small), shape(word(lang::sheet::magnitude, language), theme_.small), {}, {}},
+                 theme_.secondary};
+        RichText arm = one_piece(word(lang::sheet::lever_arm, language) + " ");
         append(arm, one_piece("h", Face::italic));
         append(arm, with_powers(", " + units_.velocity.symbol));
         head_.cells[2] = context_.fonts.shape(arm, theme_.small);
-        head_.cells[3] = shape(word("power", language) + ", W", theme_.small);
+        head_.cells[3] = shape(word(lang::sheet::power, language) + ", W", theme_.small);
     }
     void add_force(const VirtualWork::Entry& entry) {
         const double f = kinegraph::length(entry.force), p = dot(entry.force, entry.velocity).to_double();

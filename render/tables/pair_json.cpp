@@ -6,6 +6,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::render {
@@ -94,11 +95,11 @@ std::string pair_catalogue_json() {
     for (const PlanePair& pair : plane_pairs) {
         const std::string key(pair.key);
         Members members{{"key", json_text(key)},
-                        {"name", json_text(word("pair " + key, Language::en))},
+                        {"name", json_text(word(pair.texts.name, Language::en))},
                         {"freedoms", std::to_string(pair.freedoms())},
                         {"reactions", std::to_string(pair.reactions())}};
         if (pair.freedoms() > 0) members.emplace_back("class", std::to_string(pair.freedoms()));
-        members.emplace_back("reaction", json_text(word("reaction " + key, Language::en)));
+        members.emplace_back("reaction", json_text(word(pair.texts.reaction, Language::en)));
         plane.push_back(object_of(members));
     }
     for (const SpacePair& pair : space_pairs)

@@ -7,6 +7,8 @@
 
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/pairs.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -92,7 +94,7 @@ private:
     std::string text_;
 };
 
-std::string counted(int count, const char* one, const char* several, Language language) {
+std::string counted(int count, Key one, Key several, Language language) {
     return std::to_string(count) + " " + word(count == 1 ? one : several, language);
 }
 
@@ -116,26 +118,23 @@ std::string schemes_of(int bodies) {
 
 /// "unary", "binary" …; above four only the number.
 Words arity(int pairs) {
-    static const std::array<Words, 5> names{
-        Words("bodies without pairs", "membri senza coppie"), Words("unary bodies", "membri unari"),
-        Words("binary bodies", "membri binari"), Words("ternary bodies", "membri ternari"),
-        Words("quaternary bodies", "membri quaternari")};
+    static const std::array<Words, 5> names{Words(lang::pairs::bodies_without_pairs), Words(lang::pairs::unary_bodies),
+                                            Words(lang::pairs::binary_bodies), Words(lang::pairs::ternary_bodies),
+                                            Words(lang::pairs::quaternary_bodies)};
     if (pairs < static_cast<int>(names.size())) return names.at(static_cast<std::size_t>(pairs));
-    return {"bodies with {0} pairs", "membri con {0} coppie", std::to_string(pairs)};
+    return {lang::pairs::bodies_with_pairs, std::to_string(pairs)};
 }
 
 /// The chain that the pairs form, and its bodies by number of pairs.
 void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
     const KinematicChain chain = chain_of(mechanism);
-    const Words kind = chain.kind() == KinematicChain::Kind::open     ? Words("open", "aperta")
-                       : chain.kind() == KinematicChain::Kind::closed ? Words("closed", "chiusa")
-                                                                      : Words("mixed", "mista");
-    page.heading(in({"Chain", "Catena"}, language));
-    page.line(in(Words("kind: {0}", "tipo: {0}", kind), language));
-    page.line(in(Words("independent loops: c − m + {0} = {1} − {2} + {0} = {3}, of c binary pairs and m bodies",
-                       "maglie indipendenti: c − m + {0} = {1} − {2} + {0} = {3}, con c coppie binarie e m membri",
-                       std::to_string(chain.parts), std::to_string(chain.joints), std::to_string(chain.pairs.size()),
-                       std::to_string(chain.loops)),
+    const Words kind = chain.kind() == KinematicChain::Kind::open     ? Words(lang::pairs::open)
+                       : chain.kind() == KinematicChain::Kind::closed ? Words(lang::pairs::closed)
+                                                                      : Words(lang::pairs::mixed);
+    page.heading(in({lang::pairs::chain}, language));
+    page.line(in(Words(lang::pairs::kind, kind), language));
+    page.line(in(Words(lang::pairs::independent_loops_c_m_of_c, std::to_string(chain.parts),
+                       std::to_string(chain.joints), std::to_string(chain.pairs.size()), std::to_string(chain.loops)),
                  language));
     std::map<int, std::vector<std::string>> by_pairs;
     for (const BodyIndex body : indices_of(mechanism.bodies))
@@ -151,42 +150,44 @@ void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
 
 std::string pair_catalogue(Language language, TextForm form) {
     if (form == TextForm::json) return pair_catalogue_json();
-    const auto say_word = [&](std::string_view key) { return word(key, language); };
+    const auto say_word = [&](Key key) { return word(key, language); };
     Writer page(form);
-    page.title(say_word("catalogue of pairs"));
-    page.heading(say_word("pairs of the plane"));
+    page.title(say_word(lang::sheet::catalogue_of_pairs));
+    page.heading(say_word(lang::sheet::pairs_of_the_plane));
     for (const PlanePair& pair : plane_pairs) {
-        const std::string key(pair.key);
-        page.entry(
-            say_word("pair " + key),
-            {{say_word("in the file"), page.code(pair.form)},
-             {say_word("freedoms left"),
-              std::to_string(pair.freedoms()) + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
-             {say_word("class"), pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word("no pair")},
-             {say_word("reaction"),
-              say_word("reaction " + key) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
-             {say_word("fixed"), say_word("fixed " + key)},
-             {say_word("instant centre"), say_word("centre " + key)}});
+        page.entry(say_word(pair.texts.name),
+                   {{say_word(lang::sheet::in_the_file), page.code(pair.form)},
+                    {say_word(lang::sheet::freedoms_left),
+                     std::to_string(pair.freedoms()) +
+                         (pair.freedoms() > 0 ? " (" + say_word(pair.texts.freedoms) + ")" : "")},
+                    {say_word(lang::sheet::class_word),
+                     pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word(lang::sheet::no_pair)},
+                    {say_word(lang::sheet::reaction),
+                     say_word(pair.texts.reaction) + " (" +
+                         counted(pair.reactions(), lang::sheet::unknown, lang::sheet::unknowns, language) + ")"},
+                    {say_word(lang::sheet::fixed), say_word(pair.texts.fixed)},
+                    {say_word(lang::sheet::instant_centre), say_word(pair.texts.centre)}});
     }
 
-    page.heading(say_word("lower pairs in space"));
-    std::vector<Cells> rows{{say_word("pair"), say_word("freedoms left"), say_word("class"), say_word("motions"),
-                             say_word("reaction"), say_word("components")}};
+    page.heading(say_word(lang::sheet::lower_pairs_in_space));
+    std::vector<Cells> rows{{say_word(lang::sheet::pair), say_word(lang::sheet::freedoms_left),
+                             say_word(lang::sheet::class_word), say_word(lang::sheet::motions),
+                             say_word(lang::sheet::reaction), say_word(lang::sheet::components)}};
     for (const SpacePair& pair : space_pairs)
-        rows.push_back({say_word("space " + std::string(pair.key)), std::to_string(pair.freedoms),
-                        std::to_string(pair.freedoms), std::string(pair.motions), std::string(pair.reactions),
-                        std::to_string(pair.reaction_count())});
+        rows.push_back({say_word(pair.name), std::to_string(pair.freedoms), std::to_string(pair.freedoms),
+                        std::string(pair.motions), std::string(pair.reactions), std::to_string(pair.reaction_count())});
     page.table(rows);
-    page.note(say_word("axes of pairs"));
+    page.note(say_word(lang::sheet::axes_of_pairs));
 
-    page.heading(say_word("multiple hinges"));
-    for (const char* key : {"multiplicity rule", "stars rule", "trees rule"}) page.line(say_word(key));
+    page.heading(say_word(lang::sheet::multiple_hinges));
+    for (const Key key : {lang::sheet::multiplicity_rule, lang::sheet::stars_rule, lang::sheet::trees_rule})
+        page.line(say_word(key));
     const std::vector<std::string> bodies{"1", "2", "3"};
     std::string three;
     for (const BinaryScheme& scheme : binary_schemes(3)) three += (three.empty() ? "" : ", ") + spelt(scheme, bodies);
-    page.line(say_word("schemes of three") + ": " + three);
-    std::vector<Cells> counts{
-        {say_word("bodies at the hinge"), say_word("multiplicity"), say_word("stars"), say_word("schemes")}};
+    page.line(say_word(lang::sheet::schemes_of_three) + ": " + three);
+    std::vector<Cells> counts{{say_word(lang::sheet::bodies_at_the_hinge), say_word(lang::sheet::multiplicity),
+                               say_word(lang::sheet::stars), say_word(lang::sheet::schemes)}};
     for (int n = 2; n <= 6; ++n)
         counts.push_back({std::to_string(n), std::to_string(n - 1), n == 2 ? "1" : std::to_string(n), schemes_of(n)});
     page.gap();
@@ -199,8 +200,8 @@ namespace {
 /// "M: multiplicity 2, 3 equivalent schemes: …".
 std::string multiple_hinge_line(const Joint& joint, const std::vector<std::string>& bodies, Language language) {
     const auto n = static_cast<int>(bodies.size());
-    std::string line = joint.name + ": " + word("multiplicity", language) + " " + std::to_string(n - 1) + ", " +
-                       schemes_of(n) + " " + word("equivalent schemes", language);
+    std::string line = joint.name + ": " + word(lang::sheet::multiplicity, language) + " " + std::to_string(n - 1) +
+                       ", " + schemes_of(n) + " " + word(lang::sheet::equivalent_schemes, language);
     constexpr int listed_bodies = 4;  // 16 schemes
     if (n > listed_bodies) return line;
     std::string all;
@@ -209,10 +210,10 @@ std::string multiple_hinge_line(const Joint& joint, const std::vector<std::strin
 }
 
 void write_pairs(Writer& page, const Mechanism& mechanism, Language language) {
-    const auto say_word = [&](std::string_view key) { return word(key, language); };
-    page.heading(say_word("pairs"));
-    std::vector<Cells> rows{
-        {say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
+    const auto say_word = [&](Key key) { return word(key, language); };
+    page.heading(say_word(lang::sheet::pairs));
+    std::vector<Cells> rows{{say_word(lang::sheet::joint), say_word(lang::sheet::kind_of_pair),
+                             say_word(lang::sheet::bodies_of_a_pair), say_word(lang::sheet::class_word)}};
     std::vector<std::string> multiple;
     for (const Joint& joint : mechanism.joints) {
         const PlanePair& pair = joint.pair();
@@ -222,36 +223,36 @@ void write_pairs(Writer& page, const Mechanism& mechanism, Language language) {
             names.push_back(mechanism.bodies[at_index(body)].name);
             bodies += (bodies.empty() ? "" : ", ") + names.back();
         }
-        rows.push_back({joint.name, say_word("pair " + std::string(pair.key)), bodies,
+        rows.push_back({joint.name, say_word(pair.texts.name), bodies,
                         pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : "–"});
         if (names.size() >= 3) multiple.push_back(multiple_hinge_line(joint, names, language));
     }
     page.table(rows);
     if (multiple.empty()) return;
-    page.heading(say_word("multiple hinges"));
+    page.heading(say_word(lang::sheet::multiple_hinges));
     for (const std::string& line : multiple) page.line(line);
 }
 
 void write_count(Writer& page, const Mobility& m, Language language) {
     const std::string moving = signed_text(m.bodies - 1), c1 = signed_text(m.class_1), c2 = signed_text(m.class_2),
                       welds = signed_text(m.welds), n = signed_text(m.gruebler);
-    page.heading(word("count", language));
+    page.heading(word(lang::sheet::count, language));
     page.line("n = 3(m − 1) − 2c₁ − c₂" + std::string(m.welds > 0 ? " − 3w" : "") + " = 3·" + moving + " − 2·" + c1 +
               " − " + c2 + (m.welds > 0 ? " − 3·" + welds : "") + " = " + n);
     page.line("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·" + moving + " − " + c2 + " − 2·" + c1 + " − 3·" + welds + " = " + n);
-    page.note(word("symbols of the first count", language));
-    page.note(word("symbols of the second count", language));
+    page.note(word(lang::sheet::symbols_of_the_first_count, language));
+    page.note(word(lang::sheet::symbols_of_the_second_count, language));
 }
 
 void write_verdict(Writer& page, const Mobility& m, Language language) {
-    const auto say_word = [&](std::string_view key) { return word(key, language); };
-    page.heading(say_word("at this position"));
+    const auto say_word = [&](Key key) { return word(key, language); };
+    page.heading(say_word(lang::sheet::at_this_position));
     const int freedoms = 3 * (m.bodies - 1);
-    page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " +
-              std::to_string(freedoms - m.gruebler) + " " + say_word("constraints") + " − " +
-              std::to_string(m.repeated()) + " " + say_word("repeated") + "; " + signed_text(m.effective) + " " +
-              say_word(m.effective == 1 ? "effective one" : "effective"));
-    page.line(say_word("verdict") + ": " + verdict_words(m, language));
+    page.line(say_word(lang::sheet::rank) + ": " + std::to_string(freedoms - m.effective) + " = " +
+              std::to_string(freedoms - m.gruebler) + " " + say_word(lang::sheet::constraints) + " − " +
+              std::to_string(m.repeated()) + " " + say_word(lang::sheet::repeated) + "; " + signed_text(m.effective) +
+              " " + say_word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective));
+    page.line(say_word(lang::sheet::verdict) + ": " + verdict_words(m, language));
 }
 
 }  // namespace
@@ -266,7 +267,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     write_count(page, mobility, language);
     write_verdict(page, mobility, language);
     if (!remarks.empty()) {
-        page.heading(word("remarks", language));
+        page.heading(word(lang::sheet::remarks, language));
         for (const Message& remark : remarks) page.line(tell(remark, language));
     }
     return page.finish();

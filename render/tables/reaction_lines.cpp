@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/number/index.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/force_tables.hpp"
@@ -60,17 +61,18 @@ private:
         BodyIndex from, on;
     };
 
-    std::string word_for(std::string_view key) const { return word(key, context_.language); }
+    std::string word_for(Key key) const { return word(key, context_.language); }
     const std::string& name_of(BodyIndex body) const { return mechanism_.bodies[at_index(body)].name; }
     std::string name_of(const FreeBody& body) const {
         if (body.body != none) return name_of(body.body);
-        return word_for("pin") + " " + mechanism_.points[at_index(body.pin)].name;
+        return word_for(lang::sheet::pin) + " " + mechanism_.points[at_index(body.pin)].name;
     }
     /// "1 frame"; only its name if that contains the number or the word.
     std::string name_of_frame() const {
         const std::string& name = name_of(frame);
-        const bool says_so = name == word("frame", Language::en) || name == word("frame", Language::it);
-        return says_so ? name : name + " " + word_for("frame");
+        const bool says_so = std::any_of(languages.begin(), languages.end(),
+                                         [&](Language each) { return name == word(lang::sheet::frame, each); });
+        return says_so ? name : name + " " + word_for(lang::sheet::frame);
     }
     RichText symbol_of(const AppliedForce& applied) const {
         return typeset(applied.force.is_zero() ? couple_symbol(applied) : applied.symbol, context_.language);
@@ -80,8 +82,8 @@ private:
     /// Column widths follow the words, but names may not take the room of the forces.
     void measure_columns() {
         constexpr double most_of_name = 0.3, most_of_active = 0.4, gap = 4;
-        double active_width = width_of(one_piece(word_for("active forces")), theme_.small);
-        name_width_ = width_of(one_piece(word_for("body")), theme_.small);
+        double active_width = width_of(one_piece(word_for(lang::sheet::active_forces)), theme_.small);
+        name_width_ = width_of(one_piece(word_for(lang::sheet::body)), theme_.small);
         for (const FreeBody& body : context_.solution.free_bodies) {
             name_width_ = std::max(name_width_, width_of(one_piece(name_of(body)), theme_.body_text));
             active_width = std::max(active_width, width_of(with_commas(measured_forces(body)), theme_.body_text));
@@ -106,13 +108,13 @@ private:
     void add_head() {
         Block head;
         head.marks.emplace_back(line({0, 0}, {width_, 0}, {theme_.outline, theme_.text, {}, false}));
-        const auto put = [&](const char* key, double x) {
+        const auto put = [&](Key key, double x) {
             set_text(head.marks, context_.fonts.shape(one_piece(word_for(key)), theme_.small), {x, 3.4},
                      theme_.secondary, "text");
         };
-        put("body", 0);
-        put("active forces", active_left_);
-        put("reactions", reactions_left_);
+        put(lang::sheet::body, 0);
+        put(lang::sheet::active_forces, active_left_);
+        put(lang::sheet::reactions, reactions_left_);
         head.marks.emplace_back(line({0, 4.8}, {width_, 4.8}, {theme_.thin, theme_.text, {}, false}));
         head.width = width_;
         head.height = 5.0;
@@ -212,7 +214,7 @@ private:
     }
 
     void add_note(const Example& example) {
-        std::string words = word_for("action and reaction");
+        std::string words = word_for(lang::sheet::action_and_reaction);
         const auto fill = [&](const std::string& place, BodyIndex body) {
             if (const std::size_t found = words.find(place); found != std::string::npos)
                 words.replace(found, place.size(), name_of(body));
@@ -221,7 +223,7 @@ private:
         fill("{1}", example.on);
         RichText text = example.symbol;
         append(text, " " + words);
-        if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for("internal sides"));
+        if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for(lang::sheet::internal_sides));
         Block note;
         double baseline = 4.2;
         for (ShapedLine& each : context_.fonts.wrap(text, theme_.small, width_)) {

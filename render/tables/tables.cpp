@@ -11,6 +11,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
@@ -122,9 +123,10 @@ public:
                     column.width = std::max(column.width, line.width + setting.gap);
                 columns_.push_back(std::move(column));
             }
-        std::vector<std::string> names{word("magnitude", context.language), word("direction", context.language)};
+        std::vector<std::string> names{word(lang::sheet::magnitude, context.language),
+                                       word(lang::sheet::direction, context.language)};
         if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.lines.empty(); }))
-            names.push_back(word("line", context.language));
+            names.push_back(word(lang::sheet::line, context.language));
         for (const std::string& name : names) {
             names_.push_back(context.fonts.shape(one_piece(name), setting.line_size));
             names_width_ = std::max(names_width_, names_.back().width);
@@ -405,10 +407,10 @@ struct ResultsTable::Parts {
         const Language language = context.language;
         head.cells = {RichText{},
                       small("mm"),
-                      small(word("drawing", language)),
-                      small(word("numeric", language)),
-                      small(word("unit", language)),
-                      small(word("difference", language) + " %")};
+                      small(word(lang::sheet::drawing, language)),
+                      small(word(lang::sheet::numeric, language)),
+                      small(word(lang::sheet::unit, language)),
+                      small(word(lang::sheet::difference, language) + " %")};
         measure(head, context.theme.small, context.theme.small);
         // The arithmetic of the readings, "mm × 0.005", if all rows share one scale.
         if (const auto scale = scale_of(rows)) product = small("mm × " + round_number(*scale, language));
@@ -606,17 +608,17 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
     };
     RichText text;
     if (centre.how == InstantCentre::How::unknown && !centre.at && !centre.everywhere)
-        return one_piece(word("not found", language));
+        return one_piece(word(lang::sheet::not_found, language));
     if (centre.how == InstantCentre::How::primary) {
         if (const Joint* joint = joint_of(centre, mechanism)) {
-            append(text, word("found " + std::string(joint->pair().key), language) + " ");
+            append(text, word(joint->pair().texts.found, language) + " ");
             append(text, point(joint->point));
             return text;
         }
     }
-    if (centre.how == InstantCentre::How::rest) return one_piece(word("found by rest", language));
+    if (centre.how == InstantCentre::How::rest) return one_piece(word(lang::sheet::found_by_rest, language));
     const auto join = [&] {
-        if (!text.empty()) append(text, " " + word("and", language) + " ");
+        if (!text.empty()) append(text, " " + word(lang::sheet::and_word, language) + " ");
     };
     for (const auto& [first, second] : centre.through) {
         join();
@@ -627,15 +629,16 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
     const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != frame;
     for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
         join();
-        append(text, word("normal at", language) + " ");
+        append(text, word(lang::sheet::normal_at, language) + " ");
         append(text, point(p));
     }
-    if (text.empty() && centre.how == InstantCentre::How::velocities) append(text, word("from velocities", language));
+    if (text.empty() && centre.how == InstantCentre::How::velocities)
+        append(text, word(lang::sheet::from_velocities, language));
     return text;
 }
 
 RichText where_found(const InstantCentre& centre, const Solution& solution, Language language) {
-    if (centre.as_one) return one_piece(word("everywhere", language));
+    if (centre.as_one) return one_piece(word(lang::sheet::everywhere, language));
     if (centre.at && !centre.at->at_infinity()) {
         const Unit& unit = solution.mechanism.units.length;
         const Vector place = centre.at->place();
@@ -654,7 +657,7 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
         if (angle >= 180) angle -= 180;
         return one_piece("∞, " + fixed(angle, 2, language) + "°");
     }
-    if (centre.everywhere) return one_piece(word("everywhere", language));
+    if (centre.everywhere) return one_piece(word(lang::sheet::everywhere, language));
     return {};
 }
 
@@ -749,7 +752,7 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
         std::string place = name;  // names in a file may end with stars
         while (!is_of_the_file(place) && place.ends_with('*')) place.pop_back();
         if (image.body == body && place != name && is_of_the_file(place) && told.insert(name).second)
-            all.push_back(word("coincident point", {point(name), point(place)}, language));
+            all.push_back(word(lang::sheet::coincident_point, {point(name), point(place)}, language));
     }
     return all;
 }
@@ -785,19 +788,19 @@ RolesOfBody roles_of(BodyIndex index, const Mechanism& mechanism) {
 }
 
 /// The key of the textbook term for a body with these roles.
-const char* kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
-    return solution.mechanism.bodies[at_index(index)].circle ? "disc"
-           : roles.slides_on_frame                           ? "slider"
-           : roles.is_barrel                                 ? "cylinder"
-           : roles.is_rod                                    ? "rod"
-           : roles.carries_guide                             ? "slotted link"
-           : roles.slides                                    ? "sleeve"
-           : roles.on_frame && roles.driven                  ? "crank"
-           : goes_round(index, solution)                     ? "crank"
-           : carries_wheel(index, solution)                  ? "arm"
-           : roles.on_frame && roles.hinges.size() == 2      ? "rocker"
-           : !roles.on_frame && roles.hinges.size() >= 2     ? "coupler"
-                                                             : "link";
+Key kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
+    return solution.mechanism.bodies[at_index(index)].circle ? lang::sheet::disc
+           : roles.slides_on_frame                           ? lang::sheet::slider
+           : roles.is_barrel                                 ? lang::sheet::cylinder
+           : roles.is_rod                                    ? lang::sheet::rod
+           : roles.carries_guide                             ? lang::sheet::slotted_link
+           : roles.slides                                    ? lang::sheet::sleeve
+           : roles.on_frame && roles.driven                  ? lang::sheet::crank
+           : goes_round(index, solution)                     ? lang::sheet::crank
+           : carries_wheel(index, solution)                  ? lang::sheet::arm
+           : roles.on_frame && roles.hinges.size() == 2      ? lang::sheet::rocker
+           : !roles.on_frame && roles.hinges.size() >= 2     ? lang::sheet::coupler
+                                                             : lang::sheet::link;
 }
 
 /// "80 mm". A given length is shown as given, a derived one to four digits.
@@ -863,7 +866,8 @@ struct CentresTable::Parts {
             ShapedLine symbol = context.fonts.shape(name, theme.derived);
             symbols = std::max(symbols, symbol.width + 2.5);
             RichText how = how_found(*centre, solution, context.language);
-            if (centre->depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
+            if (centre->depends_on_drivers)
+                append(how, " (" + word(lang::sheet::depends_on_drivers, context.language) + ")");
             const double wide = context.fonts.width(how, theme.body_text);
             lines.push_back({std::move(name), std::move(symbol), std::move(how), wide,
                              context.fonts.shape(where_found(*centre, solution, context.language), theme.body_text),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 #include "render/tables/long_names.hpp"
@@ -17,7 +18,7 @@ struct Columns {
     double spaces, force_end, sense;
 };
 RichText head_of_force(const DrawingContext& context) {
-    RichText force = one_piece(word("axial force", context.language));
+    RichText force = one_piece(word(lang::sheet::axial_force, context.language));
     append(force, one_piece(" " + context.solution.mechanism.units.force.symbol));
     return force;
 }
@@ -27,8 +28,9 @@ Columns columns_of(const DrawingContext& context, double width) {
     const double used = std::min(width, widest);
     const auto wide = [&](const RichText& text) { return context.fonts.shape(text, context.theme.small).width; };
     const double spaces = 0.18 * used;
-    const double before =
-        has_plan(context.solution) ? spaces + wide(one_piece(word("spaces", context.language))) + apart : spaces;
+    const double before = has_plan(context.solution)
+                              ? spaces + wide(one_piece(word(lang::sheet::spaces, context.language))) + apart
+                              : spaces;
     const double force_end = std::max(0.55 * used, before + wide(head_of_force(context)));
     return {spaces, force_end, std::max(0.62 * used, force_end + apart)};
 }
@@ -44,21 +46,22 @@ Block head_of(const DrawingContext& context, double width) {
     const Theme& theme = context.theme;
     Block head;
     head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
-    const auto words = [&](const char* key) { return one_piece(word(key, context.language)); };
-    put(head, context, words("bar"), 0, false, theme.small, theme.secondary, 3.4);
+    const auto words = [&](Key key) { return one_piece(word(key, context.language)); };
+    put(head, context, words(lang::sheet::bar), 0, false, theme.small, theme.secondary, 3.4);
     if (has_plan(context.solution))
-        put(head, context, words("spaces"), columns.spaces, false, theme.small, theme.secondary, 3.4);
+        put(head, context, words(lang::sheet::spaces), columns.spaces, false, theme.small, theme.secondary, 3.4);
     put(head, context, head_of_force(context), columns.force_end, true, theme.small, theme.secondary, 3.4);
-    put(head, context, words("sense"), columns.sense, false, theme.small, theme.secondary, 3.4);
+    put(head, context, words(lang::sheet::sense), columns.sense, false, theme.small, theme.secondary, 3.4);
     head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
     head.width = width;
     head.height = 5;
     return head;
 }
 
-const char* sense_word(const Truss& truss, std::size_t bar, double value) {
-    if (truss.bars[bar].force->is_zero()) return truss.bars[bar].idle_by_rule ? "idle by rule" : "idle";
-    return value > 0 ? "tension" : "compression";
+Key sense_word(const Truss& truss, std::size_t bar, double value) {
+    if (truss.bars[bar].force->is_zero())
+        return truss.bars[bar].idle_by_rule ? lang::sheet::idle_by_rule : lang::sheet::idle;
+    return value > 0 ? lang::sheet::tension : lang::sheet::compression;
 }
 
 Measured measured_or(const std::vector<Figure>& figures, const std::string& name, bool& found) {

@@ -2,35 +2,32 @@
 #include "render/text/language.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 
 namespace kinegraph::render {
 namespace {
 
-constexpr std::array<Notation, languages.size()> notations{{
-    {"en", '.', ", ", "×", "sin", "α", 0, "P"},
-    {"it", ',', "; ", "∧", "sen", "ω", 1, "C"},
-}};
-
-bool same_letters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char left, unsigned char right) {
-        return std::tolower(left) == std::tolower(right);
-    });
+Notation notation_of(Language language) {
+    const auto text = [language](Key key) { return key.in(language); };
+    return {text(lang::notation::code),
+            text(lang::notation::decimal_mark).front(),
+            text(lang::notation::between_numbers),
+            text(lang::notation::cross_product),
+            text(lang::notation::sine),
+            text(lang::notation::alpha),
+            std::stoi(text(lang::notation::dots_of_alpha)),
+            text(lang::notation::centre)};
 }
 
 }  // namespace
 
-const Notation& notation(Language language) { return notations[static_cast<std::size_t>(language)]; }
-
-Language language_of(std::string_view code) {
-    for (const Language language : languages)
-        if (same_letters(code, notation(language).code)) return language;
-    return Language::en;
-}
-
-const std::string& in(const Words& words, Language language) {
-    if (language == Language::it) return words.it.empty() ? words.en : words.it;
-    return words.en.empty() ? words.it : words.en;
+const Notation& notation(Language language) {
+    static const auto all = [] {
+        std::array<Notation, languages.size()> made;
+        std::transform(languages.begin(), languages.end(), made.begin(), notation_of);
+        return made;
+    }();
+    return all.at(static_cast<std::size_t>(language));
 }
 
 }  // namespace kinegraph::render

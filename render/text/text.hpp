@@ -11,7 +11,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 #include "render/ink/path.hpp"
 #include "render/text/glyphs.hpp"
 #include "render/text/rich_text.hpp"

@@ -1,5 +1,6 @@
 // Typeface by HarfBuzz: shaping and unhinted outlines. Without fontconfig, so that every machine gives the same line.
 #include "render/text/typeface.hpp"
+#include "lang/keys/pages.hpp"
 
 #include <hb-ot.h>
 #include <hb.h>
@@ -175,12 +176,8 @@ tl::expected<Typefaces, Words> open_typefaces() {
         const bool read = blob != nullptr;
         const Owned<hb_face_t> face(read ? hb_face_create(blob.get(), 0) : nullptr);
         if (!face || hb_face_get_glyph_count(face.get()) == 0)
-            return tl::unexpected(Words(
-                "{0} {1}: install the Debian package fonts-stix, or name the directory of its files in "
-                "KINEGRAPH_FONT_DIR",
-                "{0} {1}: installare il pacchetto Debian fonts-stix, o indicare la cartella dei suoi file in "
-                "KINEGRAPH_FONT_DIR",
-                path, read ? Words("is no font", "non è un font") : Words("cannot be read", "non si può leggere")));
+            return tl::unexpected(Words(lang::pages::install_the_debian_package_fonts_stix, path,
+                                        read ? Words(lang::pages::is_no_font) : Words(lang::pages::cannot_be_read)));
         opened[i] = std::make_unique<OpenTypeFace>(std::move(blob), face.get());
     }
     return opened;

@@ -13,7 +13,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "lang/words.hpp"
 
 #include "render/text/glyphs.hpp"
 

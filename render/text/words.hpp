@@ -1,6 +1,4 @@
-// Words: the sentences, headings and names of a sheet, in English and Italian. Errors of files and of the command line
-// carry their own texts (engine/file/words.hpp). The terms of the languages are not literal translations (instant
-// centre P_ij / centro di istantanea rotazione C_ij; language.hpp).
+// Words: the sentences, headings and names of a sheet in a language (lang/*.txt), typeset as in the figures or plain.
 #pragma once
 
 #include <string>
@@ -9,6 +7,7 @@
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/mobility.hpp"
 #include "engine/sentences/statement.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/text/language.hpp"
 #include "render/text/text.hpp"
 
@@ -42,9 +41,10 @@ std::string shortest(double value, Language language);
 /// "mechanism", "hyperstatic, 2 times", …: the verdict of the rank on the structure in this pose.
 std::string verdict_words(const Mobility& mobility, Language language);
 
-/// Headings and fixed words by key ("velocity polygon", "results", "numeric", …). An unknown key trips an assertion.
-std::string word(std::string_view key, Language language);
+/// Headings and fixed words by key (lang::sheet::velocity_polygon, "results", "numeric", …). An unknown key trips an
+/// assertion.
+std::string word(Key key, Language language);
 /// The same with its placeholders {0}, {1} … filled.
-RichText word(std::string_view key, const std::vector<RichText>& parts, Language language);
+RichText word(Key key, const std::vector<RichText>& parts, Language language);
 
 }  // namespace kinegraph::render

@@ -100,7 +100,7 @@ TEST_F(Documents, ListTheUnitsThatAFileMayUse) {
         }
     }
     std::map<std::string, std::vector<std::string>> known;
-    for (const KnownUnit& each : known_units()) known[name_of(each.kind).en].emplace_back(each.symbol);
+    for (const KnownUnit& each : known_units()) known[name_of(each.kind).in(Language::en)].emplace_back(each.symbol);
     EXPECT_EQ(written, known);
 }
 

@@ -172,7 +172,7 @@ TEST_P(QuizOf, AsksForItsResultsAndTellsTheSolution) {
     const auto found = variants->next([](const Solution&, Condition::Polygon) { return true; });
     ASSERT_TRUE(found && *found);
     const Variant& variant = **found;
-    for (const render::Language language : {render::Language::en, render::Language::it}) {
+    for (const Language language : {Language::en, Language::it}) {
         render::SheetOptions options;
         options.kind = render::SheetKind::question;
         options.language = language;
@@ -221,7 +221,7 @@ TEST(Sought, IsWhatTheFileAsksFor) {
     const auto question = render::lay_out(solution, options, tests::fonts());
     EXPECT_TRUE(pages::says(question, "of body 0 on body 1 at A"));
     EXPECT_FALSE(pages::says(question, "the reactions at the joints"));
-    options.language = render::Language::it;
+    options.language = Language::it;
     EXPECT_TRUE(pages::says(render::lay_out(solution, options, tests::fonts()), "del corpo 0 sul corpo 1 in A"));
 }
 

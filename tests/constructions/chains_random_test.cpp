@@ -19,6 +19,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
+#include "lang/keys/phrases.hpp"
 #include "tests/support/chains.hpp"
 #include "tests/support/force_laws.hpp"
 #include "tests/support/motion_laws.hpp"
@@ -90,7 +91,7 @@ struct Tally {
         flipped = 0;  ///< with other speeds and loads the record gave a fresh solution, or said which verdict changed
 };
 
-bool is_of_forces(const Unsolved& unsolved) { return unsolved.what.sentence == Sentence::all_forces; }
+bool is_of_forces(const Unsolved& unsolved) { return unsolved.what.sentence == lang::phrases::all_forces; }
 
 bool wholly_known(const NumericMotion& motion) {
     return std::all_of(motion.bodies.begin() + 1, motion.bodies.end(),
@@ -101,13 +102,13 @@ bool wholly_known(const NumericMotion& motion) {
 std::optional<Solution> solved(const std::string& text, const std::string& name) {
     auto mechanism = read_mechanism(text, name);
     if (!mechanism) {
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.in(Language::en);
         return std::nullopt;
     }
     try {
         auto solution = solve(*std::move(mechanism));
         if (solution) return *std::move(solution);
-        ADD_FAILURE() << solution.error().front().message.en;
+        ADD_FAILURE() << solution.error().front().message.in(Language::en);
     } catch (const std::exception& fault) {
         ADD_FAILURE() << fault.what();
     }
@@ -144,9 +145,9 @@ void hold_solution(const Solution& solution, Tally& tally) {
 void hold_text(const std::string& bare_text, std::uint64_t seed, Tally& tally) {
     const std::string name = "seed " + std::to_string(seed);
     const auto bare = read_mechanism(bare_text, name);
-    ASSERT_TRUE(bare) << bare.error().front().where << ": " << bare.error().front().message.en;
+    ASSERT_TRUE(bare) << bare.error().front().where << ": " << bare.error().front().message.in(Language::en);
     const auto pose = draw_pose(*bare);
-    ASSERT_TRUE(pose) << pose.error().front().message.en;
+    ASSERT_TRUE(pose) << pose.error().front().message.in(Language::en);
     const std::string text = under_random_loads(bare_text, *bare, *pose, seed, 0);
     if (std::getenv("KINEGRAPH_SEED") != nullptr) std::cerr << text;
     const auto solution = solved(text, name);

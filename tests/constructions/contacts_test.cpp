@@ -96,7 +96,8 @@ TEST(Contacts, AConcavePartnerIsTheLargerCircleOnTheSameSide) {
     const Solution alike =
         solved(roller_on("", R"({"points": ["R"], "circle": {"centre": "R", "radius": 10}})", "", "-500"));
     EXPECT_TRUE(tests::found_in<SolvedContacts>(alike).empty());
-    EXPECT_NE(alike.problem->remarks.front().en.find("not larger than the convex one"), std::string::npos);
+    EXPECT_NE(alike.problem->remarks.front().in(Language::en).find("not larger than the convex one"),
+              std::string::npos);
 }
 
 TEST(Contacts, WhatPressesNothingIsSaid) {
@@ -108,8 +109,8 @@ TEST(Contacts, WhatPressesNothingIsSaid) {
     const auto on_flat = [](const char* force) {
         return roller_on("", R"(["P"])", R"(, "profiles": {"2": {"line": 0}})", force);
     };
-    EXPECT_NE(remark(on_flat("500")).en.find("pulls the bodies apart"), std::string::npos);
-    EXPECT_NE(remark(on_flat("500")).it.find("separa i corpi"), std::string::npos);
+    EXPECT_NE(remark(on_flat("500")).in(Language::en).find("pulls the bodies apart"), std::string::npos);
+    EXPECT_NE(remark(on_flat("500")).in(Language::it).find("separa i corpi"), std::string::npos);
     std::string deep = on_flat("-500");
     deep.replace(deep.find("\"steel\""), 7,
                  R"({"1": {"material": "steel", "depth": 5}, "2": {"material": "steel", "depth": 5}})");
@@ -118,7 +119,7 @@ TEST(Contacts, WhatPressesNothingIsSaid) {
     std::string unloaded = on_flat("-500");
     const std::size_t loads = unloaded.find("\"loads\"");
     unloaded.replace(loads, unloaded.find("\"effort\"") - loads, "");
-    EXPECT_NE(remark(unloaded).en.find("was not found"), std::string::npos);
+    EXPECT_NE(remark(unloaded).in(Language::en).find("was not found"), std::string::npos);
 }
 
 TEST(Contacts, FaultsAreToldWhereTheyStand) {
@@ -133,7 +134,8 @@ TEST(Contacts, FaultsAreToldWhereTheyStand) {
     const std::string given = R"("materials": {"2": "steel", "3": "bronze"}, "length": 25)", at = "/joints/2/materials";
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel", "3": "bronse"}, "length": 25)").where, at + "/3");
     EXPECT_NE(fault(given, R"("materials": {"2": "steel", "3": "bronse"}, "length": 25)")
-                  .message.en.find("did you mean \"bronze\""),
+                  .message.in(Language::en)
+                  .find("did you mean \"bronze\""),
               std::string::npos);
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel"}, "length": 25)").where, at);
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel", "1": "steel"}, "length": 25)").where, at + "/1");

@@ -39,7 +39,7 @@ Swept swept(const std::string& text) {
     made.mechanism = std::make_unique<Mechanism>(*read_mechanism(text, "test.json"));
     made.pose = std::make_unique<Pose>(*draw_pose(*made.mechanism));
     auto cycle = Cycle::of(*made.mechanism, *made.pose, 0);
-    if (!cycle) throw std::runtime_error(cycle.error().front().message.en);
+    if (!cycle) throw std::runtime_error(cycle.error().front().message.in(Language::en));
     made.cycle.emplace(*std::move(cycle));
     const bool turns = std::holds_alternative<SpinDriver>(made.mechanism->drivers[0]);
     made.travel = *travel_of(made.cycle->positions(), turns, {}, {});
@@ -271,7 +271,8 @@ TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {
         const Pose pose = *draw_pose(*mechanism);
         auto cycle = Cycle::of(*mechanism, pose, 0);
         if (!cycle) {
-            EXPECT_EQ(cycle.error().front().code, ErrorCode::no_unique_answer) << cycle.error().front().message.en;
+            EXPECT_EQ(cycle.error().front().code, ErrorCode::no_unique_answer)
+                << cycle.error().front().message.in(Language::en);
             continue;
         }
         const bool turns = std::holds_alternative<SpinDriver>(mechanism->drivers[0]);

@@ -9,6 +9,7 @@
 #include <string>
 #include <tuple>
 
+#include "lang/keys/sentences.hpp"
 #include "tests/support/near_the_check.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
@@ -490,7 +491,7 @@ TEST(Examples, ExamOf2001MovesAsTheNotesSay) {
 TEST(Examples, ExamOf2001IsDrawnInTheOrderOfTheNotes) {
     // ω₄ from two parallel directions, then the polygon at A: in velocities and in accelerations.
     const Solution& solution = example("exam_2001");
-    const auto first = [&solution](Sentence sentence) {
+    const auto first = [&solution](Key sentence) {
         for (std::size_t s = 0; s < solution.protocol.statements.size(); ++s)
             if (solution.protocol.statements[s].message.sentence == sentence) return static_cast<int>(s);
         return -1;
@@ -505,10 +506,10 @@ TEST(Examples, ExamOf2001IsDrawnInTheOrderOfTheNotes) {
         }
         return -1;
     };
-    EXPECT_GE(first(Sentence::omega_from_parallels), 0);
-    EXPECT_LT(first(Sentence::omega_from_parallels), image_of_a(Topic::velocity));
-    EXPECT_LT(first(Sentence::omega_from_parallels), first(Sentence::alpha_from_parallels));
-    EXPECT_LT(first(Sentence::alpha_from_parallels), image_of_a(Topic::acceleration));
+    EXPECT_GE(first(lang::sentences::omega_from_parallels), 0);
+    EXPECT_LT(first(lang::sentences::omega_from_parallels), image_of_a(Topic::velocity));
+    EXPECT_LT(first(lang::sentences::omega_from_parallels), first(lang::sentences::alpha_from_parallels));
+    EXPECT_LT(first(lang::sentences::alpha_from_parallels), image_of_a(Topic::acceleration));
 }
 
 TEST(Examples, PeaucelliersPointMovesAlongItsLineExactly) {

@@ -132,7 +132,7 @@ Swept swept_file(const std::string& text, std::optional<double> from = {}, std::
     made.mechanism = std::make_unique<Mechanism>(read_mechanism(text, "test.json").value());
     made.pose = std::make_unique<Pose>(*draw_pose(*made.mechanism));
     auto cycle = Cycle::of(*made.mechanism, *made.pose, 0);
-    if (!cycle) throw std::runtime_error(cycle.error().front().message.en);
+    if (!cycle) throw std::runtime_error(cycle.error().front().message.in(Language::en));
     made.cycle.emplace(*std::move(cycle));
     made.travel = *travel_of(made.cycle->positions(), turns(made.mechanism->drivers[0]), from, to);
     made.cycle->begin(made.travel);

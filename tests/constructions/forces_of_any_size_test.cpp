@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "constructions/statics/forces/solvable_blocks.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
@@ -84,7 +86,7 @@ Json ring(int pins) {
             {"joints", joints}, {"loads", loads},   {"find", {"forces"}}};
 }
 
-bool says(const Solution& solution, Sentence sentence) {
+bool says(const Solution& solution, Key sentence) {
     return std::any_of(solution.protocol.statements.begin(), solution.protocol.statements.end(),
                        [&](const Statement& each) { return each.message.sentence == sentence; });
 }
@@ -127,9 +129,9 @@ INSTANTIATE_TEST_SUITE_P(Stages, ScissorLift, testing::Values(1, 2, 5, 9, 10, 30
 
 TEST(ScissorLift, IsSolvedStageByStage) {
     const Solution solution = solved(scissor(12).dump());
-    ASSERT_TRUE(says(solution, Sentence::equations_together));
+    ASSERT_TRUE(says(solution, lang::sentences::equations_together));
     for (const Statement& each : solution.protocol.statements)
-        if (each.message.sentence == Sentence::equations_together) {
+        if (each.message.sentence == lang::sentences::equations_together) {
             EXPECT_LE(std::get<Count>(each.message.arguments[1]).value, 6) << english(each.message);
         }
 }
@@ -154,7 +156,7 @@ TEST(IndeterminateLift, GivesTheTrueReason) {
                                   {"along", 90}});
         const Solution solution = solved(file.dump());
         for (const Unsolved& each : solution.unsolved)
-            EXPECT_EQ(each.why.sentence, Sentence::indeterminate) << english_of(each);
+            EXPECT_EQ(each.why.sentence, lang::phrases::indeterminate) << english_of(each);
     }
 }
 
@@ -165,7 +167,7 @@ TEST(DeadPoint, IsSaidWhereVirtualWorkSaysSo) {
         file["effort"]["along"] = 90;
         const Solution solution = solved(file.dump());
         ASSERT_FALSE(solution.unsolved.empty()) << stages;
-        EXPECT_EQ(solution.unsolved.back().why.sentence, Sentence::effort_without_work);
+        EXPECT_EQ(solution.unsolved.back().why.sentence, lang::phrases::effort_without_work);
     }
 }
 
@@ -181,10 +183,10 @@ TEST(VirtualTranslation, IsNamed) {
         "loads": [{"force": "F", "body": 3, "at": "C", "magnitude": -1000, "along": 70}],
         "effort": {"force": "P", "body": 2, "at": "D", "along": 0}, "find": ["forces"]})");
     const Solution solution = solved(wedge.dump());
-    EXPECT_FALSE(says(solution, Sentence::components_alone));
+    EXPECT_FALSE(says(solution, lang::sentences::components_alone));
     std::string told;
     for (const Statement& each : solution.protocol.statements)
-        if (each.message.sentence == Sentence::translation_alone) told += english(each.message) + "\n";
+        if (each.message.sentence == lang::sentences::translation_alone) told += english(each.message) + "\n";
     EXPECT_NE(told.find("∥"), std::string::npos) << told;
 }
 

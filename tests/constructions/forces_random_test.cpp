@@ -27,7 +27,7 @@ std::optional<Solution> solved(const Mechanism& mechanism) {
     try {
         auto solution = solve(mechanism);
         if (solution) return *std::move(solution);
-        ADD_FAILURE() << solution.error().front().message.en;
+        ADD_FAILURE() << solution.error().front().message.in(Language::en);
     } catch (const std::exception& fault) {
         ADD_FAILURE() << fault.what();
     }
@@ -40,15 +40,16 @@ bool hold(std::uint64_t seed) {
     if (random.bodies > 10) return false;
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
     const auto bare = read_mechanism(random.text, "seed " + std::to_string(seed));
-    if (!bare) return ADD_FAILURE() << bare.error().front().message.en, false;
+    if (!bare) return ADD_FAILURE() << bare.error().front().message.in(Language::en), false;
     const auto pose = draw_pose(*bare);
-    if (!pose) return ADD_FAILURE() << pose.error().front().message.en, false;
+    if (!pose) return ADD_FAILURE() << pose.error().front().message.in(Language::en), false;
     std::string text = under_random_loads(random.text, *bare, *pose, seed, random.freedoms);
     text.insert(text.rfind("\n}"), ",\n  \"find\": [\"velocity\", \"acceleration\", \"forces\"]");
     if (std::getenv("KINEGRAPH_SEED") != nullptr) std::cerr << text;
     const auto mechanism = read_mechanism(text, "seed " + std::to_string(seed));
     if (!mechanism)
-        return ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en << text,
+        return ADD_FAILURE() << mechanism.error().front().where << ": "
+                             << mechanism.error().front().message.in(Language::en) << text,
                false;
     const auto solution = solved(*mechanism);
     if (!solution) return std::cerr << text, false;

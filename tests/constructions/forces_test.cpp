@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "constructions/solving/solve.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/told.hpp"
 
 namespace kinegraph::forces_test {
@@ -22,7 +24,8 @@ std::size_t at(auto index) { return at_index(index); }
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
     if (mechanism) return *std::move(mechanism);
-    throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
+    throw std::runtime_error(mechanism.error().front().where + ": " +
+                             mechanism.error().front().message.in(Language::en));
 }
 
 std::string example(const std::string& name) {
@@ -38,7 +41,7 @@ struct Statics {
 
     explicit Statics(const Mechanism& mechanism) {
         auto solved = solve(mechanism);
-        if (!solved) throw std::runtime_error(solved.error().front().message.en);
+        if (!solved) throw std::runtime_error(solved.error().front().message.in(Language::en));
         solution = *std::move(solved);
     }
     explicit Statics(const std::string& text) : Statics(read(text)) {}
@@ -74,32 +77,35 @@ struct Statics {
         }
         return lines;
     }
-    static std::string said(Sentence sentence) {
-        switch (sentence) {
-            case Sentence::two_force_body: return "two forces";
-            case Sentence::two_force_guide: return "two forces at a guide";
-            case Sentence::two_force_group: return "together two forces";
-            case Sentence::two_forces_and_couple: return "two forces and a couple";
-            case Sentence::three_force_line: return "third line";
-            case Sentence::inertia_force: return "inertia";
-            case Sentence::polygon: return "polygon";
-            case Sentence::triangle: return "triangle";
-            case Sentence::triangle_at:
-            case Sentence::polygon_at: return "concurrent";
-            case Sentence::parallel_forces:
-            case Sentence::funicular_parallel: return "parallel";
-            case Sentence::culmann:
-            case Sentence::culmann_line: return "Culmann";
-            case Sentence::force_and_couple: return "force and couple";
-            case Sentence::no_force_along: return "nothing beside";
-            case Sentence::known_resultant: return "resultant";
-            case Sentence::single_reaction: return "opposite";
-            case Sentence::zero_forces: return "nothing";
-            case Sentence::superposition: return "alone";
-            case Sentence::superposition_sum: return "sum";
-            case Sentence::trial: return "trial";
-            default: return "?";
-        }
+    static std::string said(Key sentence) {
+        using namespace lang::sentences;
+        static const std::vector<std::pair<Key, std::string>> names{
+            {two_force_body, "two forces"},
+            {two_force_guide, "two forces at a guide"},
+            {two_force_group, "together two forces"},
+            {two_forces_and_couple, "two forces and a couple"},
+            {three_force_line, "third line"},
+            {inertia_force, "inertia"},
+            {polygon, "polygon"},
+            {triangle, "triangle"},
+            {triangle_at, "concurrent"},
+            {polygon_at, "concurrent"},
+            {parallel_forces, "parallel"},
+            {funicular_parallel, "parallel"},
+            {culmann, "Culmann"},
+            {culmann_line, "Culmann"},
+            {force_and_couple, "force and couple"},
+            {no_force_along, "nothing beside"},
+            {known_resultant, "resultant"},
+            {single_reaction, "opposite"},
+            {zero_forces, "nothing"},
+            {superposition, "alone"},
+            {superposition_sum, "sum"},
+            {trial, "trial"},
+        };
+        for (const auto& [key, name] : names)
+            if (key == sentence) return name;
+        return "?";
     }
     static std::string written(const Argument& argument) {
         if (const auto* point = std::get_if<PointName>(&argument)) return point->name;
@@ -116,7 +122,7 @@ struct Statics {
     /// Why the forces are not there; empty where they are.
     std::string why() const {
         for (const Unsolved& unsolved : solution.unsolved)
-            if (unsolved.what.sentence == Sentence::all_forces) return english(unsolved.why);
+            if (unsolved.what.sentence == lang::phrases::all_forces) return english(unsolved.why);
         return "";
     }
 };
@@ -434,7 +440,7 @@ TEST(ForcePairs, TeethPushApart) {
 // One of the two senses is found on the flanks that were assumed first, the other on those turned round; of the attempt
 // before nothing is said.
 TEST(ForcePairs, TeethTurnedToTheirOtherFlankLeaveNoSentenceBehind) {
-    std::vector<std::vector<Sentence>> said;
+    std::vector<std::vector<Key>> said;
     for (const char* couple : {"60", "-60"}) {
         const Statics s(
             R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "Q": {"from": "O",
@@ -455,7 +461,7 @@ TEST(ForcePairs, TeethTurnedToTheirOtherFlankLeaveNoSentenceBehind) {
             if (statement.section == Topic::forces) said.back().push_back(statement.message.sentence);
     }
     EXPECT_EQ(said.front(), said.back());
-    const auto parallel = std::count(said.front().begin(), said.front().end(), Sentence::three_parallel_lines);
+    const auto parallel = std::count(said.front().begin(), said.front().end(), lang::sentences::three_parallel_lines);
     EXPECT_EQ(parallel, 0) << "slanting lines of action meet";
 }
 

@@ -514,7 +514,7 @@ TEST(Rolling, ABodyTouchesWithTheCircleOfItsJoint) {
     ASSERT_TRUE(mechanism);
     const auto pose = draw_pose(*mechanism);
     ASSERT_FALSE(pose);
-    EXPECT_EQ(pose.error().front().message.en,
+    EXPECT_EQ(pose.error().front().message.in(Language::en),
               "Q lies 0.1 m from C, but the circle of body 2 has radius 0.3 m: 0.2 m off; if body 2 touches there with "
               "another circle, give that under the joint’s \"profiles\"");
 }

@@ -164,7 +164,7 @@ TEST(Impact, EveryClassIsToldFromTheOthers) {
 TEST(Impact, ThatIsNoneIsRefused) {
     const auto error = [](const std::string& text) {
         auto mechanism = read_mechanism(text, "test.json");
-        EXPECT_TRUE(mechanism) << mechanism.error().front().message.en;
+        EXPECT_TRUE(mechanism) << mechanism.error().front().message.in(Language::en);
         const auto solution = solve(*std::move(mechanism));
         EXPECT_FALSE(solution);
         return solution ? Error{} : solution.error().front();
@@ -174,8 +174,8 @@ TEST(Impact, ThatIsNoneIsRefused) {
                    R"({"kinegraph": 1, "impact": {"bodies": {"1": {"mass": 1, "centre": [-1, 0], "velocity": [)") +
                v + R"(, 0]}, "2": {"mass": 1, "centre": [1, 0]}}, "at": [0, 0], "normal": 0, "restitution": 1}})";
     };
-    EXPECT_NE(error(two("-1")).message.en.find("part"), std::string::npos);
-    EXPECT_NE(error(two("0")).message.en.find("do not approach"), std::string::npos);
+    EXPECT_NE(error(two("-1")).message.in(Language::en).find("part"), std::string::npos);
+    EXPECT_NE(error(two("0")).message.in(Language::en).find("do not approach"), std::string::npos);
     EXPECT_EQ(error(two("-1")).where, "/impact");
 }
 

@@ -13,6 +13,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "lang/keys/sentences.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/sheet.hpp"
@@ -52,7 +53,7 @@ Mechanism mechanism_of(const Data& data) {
 Solution solved(const Mechanism& mechanism) {
     auto solution = solve(mechanism);
     if (!solution) {
-        ADD_FAILURE() << solution.error().front().message.en;
+        ADD_FAILURE() << solution.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(solution);
@@ -69,7 +70,7 @@ bool says(const Solution& solution, const std::string& what) {
         return english(unsolved.what) == what && english(unsolved.why).size() > 10;
     });
 }
-bool has_sentence(const Solution& solution, Sentence sentence) {
+bool has_sentence(const Solution& solution, Key sentence) {
     return std::any_of(solution.protocol.statements.begin(), solution.protocol.statements.end(),
                        [&](const Statement& statement) { return statement.message.sentence == sentence; });
 }
@@ -336,7 +337,7 @@ TEST(InstantaneousMotion, EqualVelocitiesAreATranslation) {
     EXPECT_EQ(velocity(solution, 2), (Vector{2, 1}));
     ASSERT_TRUE(centre_of(solution).at->at_infinity());
     EXPECT_EQ(solution.instantaneous_motion->found, InstantaneousMotionFigure::Found::translation);
-    EXPECT_TRUE(has_sentence(solution, Sentence::act_translation));
+    EXPECT_TRUE(has_sentence(solution, lang::sentences::act_translation));
 }
 
 TEST(InstantaneousMotion, TheJoinOfTheTipsMeetsThatOfThePoints) {
@@ -372,7 +373,7 @@ TEST(InstantaneousMotion, TwoPointsAtRestAreABodyAtRest) {
         solved(Data{triangle, {{"A", along({1, 0})}, {"B", along({0, 1})}, {"D", along({1, 7})}}, {}});
     EXPECT_TRUE(lines.unsolved.empty());
     EXPECT_TRUE(centre_of(lines).everywhere);
-    EXPECT_TRUE(has_sentence(lines, Sentence::act_rest_by_lines));
+    EXPECT_TRUE(has_sentence(lines, lang::sentences::act_rest_by_lines));
 }
 
 TEST(InstantaneousMotion, DirectionsAloneGiveTheCentreAndNoSize) {
@@ -408,14 +409,14 @@ TEST(InstantaneousMotion, MoreThanNeededIsHeldAgainstTheRest) {
     const Values fits{{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", Vector{-2, 1}}};
     const Solution good = solved(Data{triangle, fits, {}});
     EXPECT_TRUE(good.unsolved.empty());
-    EXPECT_TRUE(has_sentence(good, Sentence::act_agrees));
+    EXPECT_TRUE(has_sentence(good, lang::sentences::act_agrees));
     const Solution bad = solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", Vector{-2, 3}}}, {}});
     EXPECT_TRUE(says(bad, "velocity of body 2"));
     EXPECT_TRUE(bad.instantaneous_motion->differing) << "on AD or BD they differ";
     const Solution astray =
         solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", along({1, 1})}}, {}});
     EXPECT_TRUE(says(astray, "velocity of body 2"));
-    EXPECT_TRUE(has_sentence(astray, Sentence::act_misses));
+    EXPECT_TRUE(has_sentence(astray, lang::sentences::act_misses));
     // On one line projections are equal and the tips still are on no line.
     const Solution bent = solved(Data{{{"A", {0, 0}}, {"B", {1, 0}}, {"D", {2, 0}}},
                                       {{"A", Vector{0, 1}}, {"B", Vector{0, 2}}, {"D", Vector{0, 5}}},
@@ -451,7 +452,7 @@ TEST(InstantaneousMotion, AccelerationsByDirectionsAlone) {
     for (const auto& [name, place] : triangle) accelerations.emplace_back(name, along(motion.acceleration(place)));
     const Solution solution = solved(Data{triangle, velocities, accelerations});
     EXPECT_TRUE(solution.unsolved.empty());
-    EXPECT_TRUE(has_sentence(solution, Sentence::auxiliary_point));
+    EXPECT_TRUE(has_sentence(solution, lang::sentences::auxiliary_point));
     for (std::size_t p = 0; p < 3; ++p) EXPECT_EQ(acceleration(solution, p), motion.acceleration(triangle[p].second));
     // Parallel directions at A and B: α at once. a_A = (2, −4), so a_B = a_A + (−4ω², 4α) ∥ (1, −2) wants 4α = 8ω².
     const Rigid parallel{{0, 0}, {1, 0}, {2, -4}, 1, 2};
@@ -460,7 +461,7 @@ TEST(InstantaneousMotion, AccelerationsByDirectionsAlone) {
     for (const auto& [name, place] : triangle) accelerations.emplace_back(name, along(parallel.acceleration(place)));
     const Solution other = solved(Data{triangle, velocities, accelerations});
     EXPECT_TRUE(other.unsolved.empty());
-    EXPECT_TRUE(has_sentence(other, Sentence::alpha_from_parallels));
+    EXPECT_TRUE(has_sentence(other, lang::sentences::alpha_from_parallels));
     EXPECT_EQ(other.bodies[1].alpha, Exact(2));
     for (std::size_t p = 0; p < 3; ++p) EXPECT_EQ(acceleration(other, p), parallel.acceleration(triangle[p].second));
 }
@@ -503,7 +504,7 @@ TEST(InstantaneousMotion, FindsWhatIsAsked) {
     const Solution velocities = solved(mechanism);
     EXPECT_TRUE(velocities.centres.empty());
     EXPECT_EQ(velocity(velocities, 1), (Vector{1, 1}));
-    EXPECT_FALSE(has_sentence(velocities, Sentence::act_perpendiculars));
+    EXPECT_FALSE(has_sentence(velocities, lang::sentences::act_perpendiculars));
     mechanism.find.acceleration = true;
     EXPECT_TRUE(says(solved(mechanism), "acceleration of body 2")) << "none is given";
 }
@@ -535,7 +536,7 @@ TEST(InstantaneousMotion, WhatIsMeasuredOnTheFigureIsTheVelocity) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{2, 1}}, {"B", along({1, 1})}}, {}});
     const render::Theme theme;
     const auto lengths =
-        lengths_of(render::instantaneous_motion_figure({solution, theme, fonts(), render::Language::en}, 150, 120));
+        lengths_of(render::instantaneous_motion_figure({solution, theme, fonts(), Language::en}, 150, 120));
     ASSERT_EQ(lengths.size(), 3U);
     for (const auto& [name, length] : lengths) EXPECT_NEAR(length.first, length.second, 1e-6) << name;
 }
@@ -558,7 +559,7 @@ TEST(InstantaneousMotion, EveryCaseIsDrawnInBothLanguages) {
          {}},
     };
     for (const Data& data : cases)
-        for (const auto language : {render::Language::en, render::Language::it}) {
+        for (const auto language : {Language::en, Language::it}) {
             render::SheetOptions options;
             options.language = language;
             const Solution solution = solved(data);

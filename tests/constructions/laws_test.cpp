@@ -16,6 +16,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/sketch.hpp"
 #include "tests/support/told.hpp"
@@ -31,7 +32,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Solution solved(const Mechanism& mechanism) {
     auto solution = solve(mechanism);
     if (!solution) {
-        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message.en;
+        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(solution);
@@ -39,7 +40,7 @@ Solution solved(const Mechanism& mechanism) {
 Mechanism from_text(const std::string& text) {
     auto mechanism = read_mechanism(text, "law");
     if (!mechanism) {
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(mechanism);
@@ -447,7 +448,7 @@ TEST(Centres, OfATriangleAreEverywhereAndItIsSaid) {
     ASSERT_EQ(solution.centres.size(), 3U);
     for (const InstantCentre& centre : solution.centres) EXPECT_TRUE(centre.everywhere && centre.as_one && centre.at);
     ASSERT_EQ(solution.remarks.size(), 1U);
-    EXPECT_EQ(solution.remarks.front().sentence, Sentence::nothing_moves);
+    EXPECT_EQ(solution.remarks.front().sentence, lang::sentences::nothing_moves);
     EXPECT_TRUE(solution.unsolved.empty());
 }
 
@@ -472,7 +473,7 @@ TEST(Centres, OfASliderInItsDeadCentreAreEverywhereWithoutVelocitiesToo) {
 Pose pose_of(const Mechanism& mechanism, int bits = 100) {
     auto pose = draw_pose(mechanism, bits);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().message.en;
+        ADD_FAILURE() << pose.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(pose);

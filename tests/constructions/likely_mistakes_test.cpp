@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "constructions/verdicts/verdicts.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
@@ -72,17 +73,16 @@ TEST(LikelyMistakes, BodiesThatNothingConnectsWithTheFrame) {
 }
 
 TEST(Gravity, OfNoPlanetIsARemark) {
-    const auto said = [](const std::string& unit, const std::string& gravity, render::Language language) {
+    const auto said = [](const std::string& unit, const std::string& gravity, Language language) {
         const std::string more = R"("masses": {"2": {"mass": 1, "centre": "A"}}, "gravity": [0, )" + gravity + "]";
         std::string text = four_bar(bodies, crank + "," + pin_b + "," + pin_o4, ", " + more);
         const std::string length = R"("length": "mm")";
         text.replace(text.find(length), length.size(), length + R"(, "acceleration": ")" + unit + "\"");
         std::vector<std::string> all;
         for (const Message& each : solved(text).remarks)
-            if (each.sentence == Sentence::strange_gravity) all.push_back(render::tell(each, language));
+            if (each.sentence == lang::sentences::strange_gravity) all.push_back(render::tell(each, language));
         return all;
     };
-    using render::Language;
     EXPECT_EQ(
         said("mm/s²", "-9.81", Language::en),
         Lines{"Gravity is 9.81 mm/s², as on no planet; if that is not meant, write it with its unit: \"9.81 m/s²\"."});
@@ -96,10 +96,10 @@ TEST(Gravity, OfNoPlanetIsARemark) {
 }
 
 TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
-    const auto said = [](const Solution& solution, render::Language language) {
+    const auto said = [](const Solution& solution, Language language) {
         std::vector<std::string> all;
         for (const Message& each : solution.remarks)
-            if (each.sentence == Sentence::link_without_length) all.push_back(render::tell(each, language));
+            if (each.sentence == lang::sentences::link_without_length) all.push_back(render::tell(each, language));
         return all;
     };
     const std::string bars = four_bar(bodies, crank + "," + pin_b + "," + pin_o4);
@@ -107,18 +107,16 @@ TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
     const std::string crank_pin = R"("A": [20, 30])";
     text.replace(text.find(crank_pin), crank_pin.size(), R"("A": [0, 0])");
     const Solution without = solved(text);
-    EXPECT_EQ(said(without, render::Language::en), Lines{"Link 2 has no length: its pins O2, A lie at one place."});
-    EXPECT_EQ(said(without, render::Language::it),
-              Lines{"Il corpo 2 non ha lunghezza: i suoi perni O2, A coincidono."});
-    EXPECT_EQ(said(solved(bars), render::Language::en), Lines{});
-    for (const std::string& name : example_names())
-        EXPECT_EQ(said(example(name), render::Language::en), Lines{}) << name;
+    EXPECT_EQ(said(without, Language::en), Lines{"Link 2 has no length: its pins O2, A lie at one place."});
+    EXPECT_EQ(said(without, Language::it), Lines{"Il corpo 2 non ha lunghezza: i suoi perni O2, A coincidono."});
+    EXPECT_EQ(said(solved(bars), Language::en), Lines{});
+    for (const std::string& name : example_names()) EXPECT_EQ(said(example(name), Language::en), Lines{}) << name;
 }
 
 TEST(LikelyMistakes, ComeBeforeTheCallForDrivers) {
     const Solution forgotten = solved(four_bar(bodies, crank + "," + pin_b));
     ASSERT_FALSE(forgotten.remarks.empty());
-    EXPECT_EQ(forgotten.remarks.front().sentence, Sentence::body_of_one_joint);
+    EXPECT_EQ(forgotten.remarks.front().sentence, lang::sentences::body_of_one_joint);
     ASSERT_FALSE(forgotten.unsolved.empty());
     EXPECT_EQ(english(forgotten.unsolved.front().why), "the mechanism has 3 freedoms and 1 of them driven");
 }

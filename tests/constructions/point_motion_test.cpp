@@ -36,9 +36,9 @@ std::string derivative(const std::string& text, NamedConstants& constants) {
     const ExpressionForm form{"t", QuantityKind::time, QuantityKind::length, 1};
     const auto letter = [](std::string_view) { return tl::expected<Measured, Words>(bare(Exact(3))); };
     const auto read = read_expression(text, form, letter, constants);
-    if (!read) return read.error().en;
+    if (!read) return read.error().in(Language::en);
     const auto derived = derivative(read->tree, constants);
-    return derived ? written(*derived, constants, "t") : derived.error().message.en;
+    return derived ? written(*derived, constants, "t") : derived.error().message.in(Language::en);
 }
 
 // ----- closed forms
@@ -220,17 +220,18 @@ TEST(PointMotion, DerivativesInSymbolsAgreeWithTheRules) {
         NamedConstants constants;
         const auto read = read_expression(text, form, letter, constants);
         if (!read) {
-            EXPECT_NE(read.error().en.find("fill pages"), std::string::npos) << read.error().en;
+            EXPECT_NE(read.error().in(Language::en).find("fill pages"), std::string::npos)
+                << read.error().in(Language::en);
             continue;
         }
         ++compared;
         // Written, it reads again as what has the same value.
         const auto again = read_expression(written(read->tree, constants, "t"), form, letter, constants);
-        ASSERT_TRUE(again) << again.error().en;
+        ASSERT_TRUE(again) << again.error().in(Language::en);
         const auto first = derivative(read->tree, constants);
         ASSERT_TRUE(first);
         const auto second = derivative(*first, constants);
-        ASSERT_TRUE(second) << second.error().message.en;
+        ASSERT_TRUE(second) << second.error().message.in(Language::en);
         for (const double t : {0.3, 1.7}) {
             const Jet numeric = jet(read->tree, constants, t);
             const double size = std::abs(numeric[0]) + std::abs(numeric[1]) + std::abs(numeric[2]);
@@ -266,8 +267,9 @@ TEST_P(RefusedMotions, SayWhereAndWhy) {
         errors = solved.error();
     }
     EXPECT_EQ(errors.front().where, where);
-    EXPECT_NE(errors.front().message.en.find(words), std::string::npos) << errors.front().message.en;
-    EXPECT_NE(errors.front().message.en, errors.front().message.it);
+    EXPECT_NE(errors.front().message.in(Language::en).find(words), std::string::npos)
+        << errors.front().message.in(Language::en);
+    EXPECT_NE(errors.front().message.in(Language::en), errors.front().message.in(Language::it));
 }
 INSTANTIATE_TEST_SUITE_P(
     Each, RefusedMotions,
@@ -404,7 +406,7 @@ TEST(Displacements, RandomPositionsAgreeWithComplexNumbers) {
         double largest = 1;
         for (const ProblemValue& each : solution.problem->values) largest = std::max(largest, std::abs(each.value));
         for (const ProblemValue& each : solution.problem->values)
-            EXPECT_NEAR(each.value, *each.numeric, 1e-9 * largest) << each.name.en;
+            EXPECT_NEAR(each.value, *each.numeric, 1e-9 * largest) << each.name.in(Language::en);
     }
 }
 
@@ -417,7 +419,7 @@ TEST(Displacements, RoundedPlacesAreMovedAndSaid) {
         R"~({"kinegraph": 1, "positions": [{"A": [0, 0], "B": [100, 0]}, {"A": [10, 10], "B": [80, 90]}]})~", "p.json");
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().front().where, "/positions/1/B");
-    EXPECT_NE(refused.error().front().message.en.find("keeps distances"), std::string::npos);
+    EXPECT_NE(refused.error().front().message.in(Language::en).find("keeps distances"), std::string::npos);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "constructions/verdicts/check_rows.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/solution/magnitudes.hpp"
+#include "lang/keys/sentences.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/tables/checked_numbers.hpp"
 #include "render/tables/force_tables.hpp"
@@ -221,7 +222,7 @@ TEST(Disagreements, AreSaidWithTheWorstOfTheirKind) {
             const auto said = disagreements(doctored, all_move(solution));
             ASSERT_EQ(said.size(), std::abs(share) > 1e-6 ? 1u : 0u) << name_of(quantity, solution);
             if (said.empty()) continue;
-            EXPECT_EQ(said.front().sentence, Sentence::check_differs);
+            EXPECT_EQ(said.front().sentence, lang::sentences::check_differs);
             EXPECT_EQ(said.front().arguments.size(), 3u);
             EXPECT_EQ(std::get<std::string>(said.front().arguments[0]), name_of(quantity, solution));
             EXPECT_NEAR(std::get<Amount>(said.front().arguments[2]).value, -share * largest, 1e-3 * largest * 1e-6);
@@ -265,7 +266,7 @@ TEST(Disagreements, AboutWhatMovesAreSaid) {
     bodies[3] = {false, false};
     auto said = disagreements(solution, bodies);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_EQ(said[0].sentence, Sentence::check_stands_still);
+    EXPECT_EQ(said[0].sentence, lang::sentences::check_stands_still);
     EXPECT_EQ(std::get<BodyName>(said[0].arguments[0]).name, solution.mechanism.bodies[3].name);
 
     Solution locked = solution;
@@ -276,7 +277,7 @@ TEST(Disagreements, AboutWhatMovesAreSaid) {
     bodies = all_move(solution);
     said = disagreements(locked, bodies);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_EQ(said[0].sentence, Sentence::check_moves);
+    EXPECT_EQ(said[0].sentence, lang::sentences::check_moves);
     bodies[2].moves = false;  // both say that it stands still
     EXPECT_TRUE(disagreements(locked, bodies).empty());
 }

@@ -26,9 +26,11 @@ void hold(std::uint64_t seed) {
     const RandomMechanism random = random_mechanism(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
     const auto mechanism = read_mechanism(random.text, "seed " + std::to_string(seed));
-    ASSERT_TRUE(mechanism) << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
+    ASSERT_TRUE(mechanism) << mechanism.error().front().where << ": "
+                           << mechanism.error().front().message.in(Language::en);
     const auto solution = solve(*mechanism);
-    ASSERT_TRUE(solution) << solution.error().front().where << ": " << solution.error().front().message.en;
+    ASSERT_TRUE(solution) << solution.error().front().where << ": "
+                          << solution.error().front().message.in(Language::en);
     EXPECT_EQ(solution->mobility.gruebler, random.freedoms);
     EXPECT_EQ(solution->mobility.effective, random.freedoms);
     EXPECT_TRUE(random.by_compass || solution->pose.exact);

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lang/keys/sentences.hpp"
 #include "tests/support/near_the_check.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
@@ -36,12 +37,12 @@ std::string why(const Solution& solution) {
     for (const Unsolved& each : solution.unsolved) all += english_of(each);
     return all;
 }
-std::vector<Sentence> sentences_of(const Solution& solution) {
-    std::vector<Sentence> said;
+std::vector<Key> sentences_of(const Solution& solution) {
+    std::vector<Key> said;
     for (const Statement& each : solution.protocol.statements) said.push_back(each.message.sentence);
     return said;
 }
-bool says(const Solution& solution, Sentence sentence) {
+bool says(const Solution& solution, Key sentence) {
     const auto said = sentences_of(solution);
     return std::find(said.begin(), said.end(), sentence) != said.end();
 }
@@ -60,7 +61,7 @@ TEST(Redundant, OfABeamOnTwoHingesTheVerticalReactionsStand) {
         EXPECT_EQ(*on_1.component, (Vector{0, -value})) << joint;
         EXPECT_EQ(unit_of_component(on_2), (Vector{0, 1})) << joint;
     }
-    EXPECT_TRUE(says(solution, Sentence::moments_alone));
+    EXPECT_TRUE(says(solution, lang::sentences::moments_alone));
     EXPECT_LT(tests::worst_difference(solution), 1e-9);
     EXPECT_NE(why(solution).find("statically indeterminate, 1 time"), std::string::npos) << why(solution);
     EXPECT_NE(why(solution).find("A,x"), std::string::npos) << why(solution);
@@ -85,7 +86,7 @@ TEST(Redundant, TheEffortOfAThirdCrankIsFoundByVirtualWork) {
     const Solution solution = redundant("coupled_wheels");
     ASSERT_TRUE(solution.efforts.at(0).value);
     EXPECT_EQ(*solution.efforts[0].value, Exact(-1800) + *Exact::from_decimal("176.58"));
-    EXPECT_TRUE(says(solution, Sentence::virtual_work_alone));
+    EXPECT_TRUE(says(solution, lang::sentences::virtual_work_alone));
     // On the wheel the rod's force has the arm of the crank for its part across it: 900/0.25.
     const JointForce& on_3 = action(solution, "B", "3");
     ASSERT_TRUE(on_3.component);
@@ -113,7 +114,7 @@ TEST(Redundant, EverySentenceOfMomentsHasItsArmOnTheSheet) {
         const Solution solution = redundant(name);
         for (const StatementIndex index : indices_of(solution.protocol.statements)) {
             const Message& said = solution.protocol.statements[at_index(index)].message;
-            if (said.sentence != Sentence::moments_alone) continue;
+            if (said.sentence != lang::sentences::moments_alone) continue;
             const std::string& centre = std::get<PointName>(said.arguments[1]).name;
             const Vector about = solution.pose.at(*solution.mechanism.point_named(centre));
             int arms = 0;
@@ -189,7 +190,7 @@ TEST(Unheld, ABodyOnAHingeTurnsByWhatIsLeftAboutIt) {
     ASSERT_EQ(solution.free_bodies[0].arms.size(), 1U);
     const FreeBody::Arm& arm = solution.free_bodies[0].arms[0];
     EXPECT_EQ(cross(arm.foot - arm.about, *found.force), *found.residual_couple) << "the force at its arm";
-    EXPECT_EQ(sentences_of(solution), std::vector<Sentence>{Sentence::residual_couple});
+    EXPECT_EQ(sentences_of(solution), std::vector<Key>{lang::sentences::residual_couple});
     EXPECT_FALSE(action(solution, "A", "2").force) << "no equilibrium, no reaction";
 }
 
@@ -199,7 +200,7 @@ TEST(Unheld, ABodyInAGuideSlidesByWhatIsLeftAlongIt) {
     EXPECT_TRUE(solution.unsolved.empty()) << why(solution);
     ASSERT_EQ(solution.resultants.size(), 1U);
     EXPECT_EQ(*solution.resultants[0].residual_force, (Vector{7, 0}));
-    EXPECT_TRUE(says(solution, Sentence::residual_force));
+    EXPECT_TRUE(says(solution, lang::sentences::residual_force));
 }
 
 TEST(Unheld, ABodyOnAHingeMayBeInEquilibriumAllTheSame) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/keys/sentences.hpp"
 #include "tests/support/solved.hpp"
 
 namespace kinegraph::relative_apart_test {
@@ -30,7 +31,7 @@ void expect_sums(const RelativeMotion& motion, const Pose& pose) {
     EXPECT_NEAR(dot(axis, *apart.acceleration_across).to_double(), 0, 1e-20);
 }
 
-bool says(const Solution& solution, Sentence sentence) {
+bool says(const Solution& solution, Key sentence) {
     const auto& all = solution.protocol.statements;
     return std::any_of(all.begin(), all.end(),
                        [&](const Statement& each) { return each.message.sentence == sentence; });
@@ -87,20 +88,21 @@ std::string exam_through(const std::string& point, const std::string& observer) 
 
 TEST(MotionThroughAnObserver, IsFoundByTheExamsTriangle) {
     const Solution &plain = tests::example("exam_2001"), solution = tests::example("moving_frame");
-    EXPECT_TRUE(says(solution, Sentence::observer_velocity));
-    EXPECT_TRUE(says(solution, Sentence::observer_acceleration));
+    EXPECT_TRUE(says(solution, lang::sentences::observer_velocity));
+    EXPECT_TRUE(says(solution, lang::sentences::observer_acceleration));
     EXPECT_TRUE(solution.unsolved.empty());
     for (std::size_t b = 0; b < plain.bodies.size(); ++b)
         EXPECT_NEAR(solution.bodies[b].omega.value_or(Exact(0)).to_double(),
                     plain.bodies[b].omega.value_or(Exact(0)).to_double(), 1e-15);
-    EXPECT_FALSE(says(plain, Sentence::observer_velocity)) << "it was not asked to be solved so";
+    EXPECT_FALSE(says(plain, lang::sentences::observer_velocity)) << "it was not asked to be solved so";
 }
 
 TEST(MotionThroughAnObserver, IsRemarkedWhereNoGuideGivesADirection) {
     const Solution solution = tests::solved(exam_through("C", "3"));
-    EXPECT_FALSE(says(solution, Sentence::observer_velocity));
-    EXPECT_TRUE(std::any_of(solution.remarks.begin(), solution.remarks.end(),
-                            [](const Message& each) { return each.sentence == Sentence::not_through_observer; }));
+    EXPECT_FALSE(says(solution, lang::sentences::observer_velocity));
+    EXPECT_TRUE(std::any_of(solution.remarks.begin(), solution.remarks.end(), [](const Message& each) {
+        return each.sentence == lang::sentences::not_through_observer;
+    }));
 }
 
 TEST(MotionThroughAnObserver, WantsOneOnABody) {

@@ -17,6 +17,7 @@
 #include "engine/check/check_forces.hpp"
 #include "engine/file/units.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "lang/keys/sentences.hpp"
 #include "render/tables/force_tables.hpp"
 #include "tests/support/force_laws.hpp"
 #include "tests/support/near_the_check.hpp"
@@ -258,7 +259,7 @@ TEST(Equilibrium, BodiesThatHangTogetherAreTakenTogether) {
     EXPECT_TRUE(left.unsolved.empty());
     for (const JointForce& each : left.forces) EXPECT_FALSE(each.force);
     ASSERT_EQ(left.protocol.statements.size(), 1U);
-    EXPECT_EQ(left.protocol.statements[0].message.sentence, Sentence::resultant_force);
+    EXPECT_EQ(left.protocol.statements[0].message.sentence, lang::sentences::resultant_force);
 }
 
 TEST(Equilibrium, OfAMechanismThatIsDrivenOrHeldNothingIsAsked) {
@@ -282,9 +283,9 @@ bool hold(std::uint64_t seed) {
     if (random.bodies > 8) return false;
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
     const auto bare = read_mechanism(random.text, "bare");
-    if (!bare) return ADD_FAILURE() << bare.error().front().message.en, false;
+    if (!bare) return ADD_FAILURE() << bare.error().front().message.in(Language::en), false;
     const auto pose = draw_pose(*bare);
-    if (!pose) return ADD_FAILURE() << pose.error().front().message.en, false;
+    if (!pose) return ADD_FAILURE() << pose.error().front().message.in(Language::en), false;
     std::string text = under_random_loads(random.text, *bare, *pose, seed, random.freedoms, true);
     text.insert(text.rfind("\n}"), ",\n  \"find\": [\"velocity\", \"acceleration\", \"forces\"]");
     if (std::getenv("KINEGRAPH_SEED") != nullptr) std::fputs(text.c_str(), stderr);
@@ -324,7 +325,7 @@ TEST(Statics, AreConfirmedFarFromTheOrigin) {
         ASSERT_TRUE(solution.unsolved.empty()) << at;
         EXPECT_GT(solution.checks.size(), 10U);
         EXPECT_LE(tests::worst_difference(solution), 1e-9) << at;
-        for (const Message& remark : solution.remarks) EXPECT_NE(remark.sentence, Sentence::check_differs) << at;
+        for (const Message& remark : solution.remarks) EXPECT_NE(remark.sentence, lang::sentences::check_differs) << at;
     }
 }
 

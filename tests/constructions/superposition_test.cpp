@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/keys/sentences.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/sheet/steps.hpp"
@@ -28,14 +29,14 @@ const Vector& force_on(const Solution& solution, const char* on, const char* fro
         if (each.on == mechanism.body_named(on) && each.from == mechanism.body_named(from)) return *each.force;
     throw std::out_of_range(std::string("no force of ") + from + " on " + on);
 }
-std::vector<Sentence> sentences_of(const Solution& solution) {
-    std::vector<Sentence> said;
+std::vector<Key> sentences_of(const Solution& solution) {
+    std::vector<Key> said;
     for (const Statement& statement : solution.protocol.statements)
         if (statement.section == Topic::forces) said.push_back(statement.message.sentence);
     return said;
 }
-bool says(const Solution& solution, Sentence sentence) {
-    const std::vector<Sentence> said = sentences_of(solution);
+bool says(const Solution& solution, Key sentence) {
+    const std::vector<Key> said = sentences_of(solution);
     return std::find(said.begin(), said.end(), sentence) != said.end();
 }
 
@@ -72,9 +73,9 @@ TEST(Engine, HasTheForcesOfItsClosedForm) {
 TEST(Engine, NeedsNoSuperposition) {
     const Solution& solution = example("engine_inertia_gas");
     EXPECT_FALSE(solution.superposition);
-    EXPECT_FALSE(says(solution, Sentence::superposition));
-    EXPECT_FALSE(says(solution, Sentence::trial));
-    EXPECT_TRUE(says(solution, Sentence::through_pin));
+    EXPECT_FALSE(says(solution, lang::sentences::superposition));
+    EXPECT_FALSE(says(solution, lang::sentences::trial));
+    EXPECT_TRUE(says(solution, lang::sentences::through_pin));
     ASSERT_EQ(solution.taken_together.size(), 1U);
     const TakenTogether& together = solution.taken_together.front();
     EXPECT_EQ(names_of(solution.mechanism, together), "3 + 4");
@@ -185,7 +186,7 @@ TEST_P(Superposed, EachLoadHasPagesOfItsOwn) {
 TEST_P(Superposed, SaysItsSums) {
     const Solution& solution = example(GetParam());
     const Message& said = solution.protocol.statements[at_index(solution.superposition->statement)].message;
-    ASSERT_EQ(said.sentence, Sentence::superposition_sum);
+    ASSERT_EQ(said.sentence, lang::sentences::superposition_sum);
     const auto couple = std::find_if(said.worked_arithmetic.begin(), said.worked_arithmetic.end(),
                                      [](const Working& each) { return each.of.letter == Symbol::Letter::M; });
     ASSERT_NE(couple, said.worked_arithmetic.end());
@@ -235,27 +236,14 @@ std::set<std::string> lettered(const std::vector<Page>& pages) {
     return names;
 }
 /// Sentences whose forces are drawn as lines of action, sides of polygons, or arrows.
-bool names_lines(Sentence sentence) {
-    switch (sentence) {
-        case Sentence::inertia_force:
-        case Sentence::inertia_moved:
-        case Sentence::three_force_line:
-        case Sentence::three_parallel_lines:
-        case Sentence::triangle:
-        case Sentence::triangle_at:
-        case Sentence::polygon:
-        case Sentence::polygon_at:
-        case Sentence::parallel_forces:
-        case Sentence::culmann:
-        case Sentence::culmann_line:
-        case Sentence::force_and_couple:
-        case Sentence::single_reaction:
-        case Sentence::through_pin:
-        case Sentence::known_resultant:
-        case Sentence::funicular_parallel:
-        case Sentence::funicular_far: return true;
-        default: return false;
-    }
+bool names_lines(Key sentence) {
+    using namespace lang::sentences;
+    constexpr std::array all{inertia_force,   inertia_moved, three_force_line, three_parallel_lines,
+                             triangle,        triangle_at,   polygon,          polygon_at,
+                             parallel_forces, culmann,       culmann_line,     force_and_couple,
+                             single_reaction, through_pin,   known_resultant,  funicular_parallel,
+                             funicular_far};
+    return std::find(all.begin(), all.end(), sentence) != all.end();
 }
 /// Whether it vanishes: then there is nothing to be drawn.
 bool vanishes(const Message& message, const Symbol& symbol) {

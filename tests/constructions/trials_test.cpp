@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "constructions/solving/solve.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/motion_laws.hpp"
 
 namespace kinegraph::trials_test {
@@ -18,13 +19,13 @@ std::size_t at(auto index) { return at_index(index); }
 
 Solution solved(const std::string& text) {
     auto mechanism = read_mechanism(text, "trials");
-    EXPECT_TRUE(mechanism) << (mechanism ? "" : mechanism.error().front().message.en);
+    EXPECT_TRUE(mechanism) << (mechanism ? "" : mechanism.error().front().message.in(Language::en));
     auto solution = solve(*std::move(mechanism));
     EXPECT_TRUE(solution);
     return *std::move(solution);
 }
 
-long said(const Solution& solution, Sentence sentence, Topic section) {
+long said(const Solution& solution, Key sentence, Topic section) {
     return std::count_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
                          [&](const Statement& statement) {
                              return statement.message.sentence == sentence && statement.section == section;
@@ -62,8 +63,8 @@ TEST(Trials, CloseTheDoubleButterfly) {
     expect_whole_motion(solution);
     EXPECT_TRUE(solution.pose.exact);
     for (const Topic section : {Topic::velocity, Topic::acceleration}) {
-        EXPECT_EQ(said(solution, Sentence::trial_on_line, section), 1);
-        EXPECT_EQ(said(solution, Sentence::trial_closes_on_line, section), 1);
+        EXPECT_EQ(said(solution, lang::sentences::trial_on_line, section), 1);
+        EXPECT_EQ(said(solution, lang::sentences::trial_closes_on_line, section), 1);
     }
 }
 
@@ -93,7 +94,7 @@ TEST(Trials, ErrorsAreDrawnAndTheTruePlaceDividesAsTheyDo) {
         EXPECT_EQ(dot(error, place(one.through) - place(one.foot)), 0);
         EXPECT_EQ(cross(error, other), 0);
         const Message& said = protocol.statements[at(one.statement)].message;
-        ASSERT_EQ(said.sentence, Sentence::trial_closes_on_line);
+        ASSERT_EQ(said.sentence, lang::sentences::trial_closes_on_line);
         const auto* sought = std::get_if<Symbol>(&said.arguments[2]);
         ASSERT_NE(sought, nullptr);
         const auto tip = [&](const std::vector<Image>& images, int trial) {
@@ -229,8 +230,8 @@ int hold_cubic_chains(int binaries, std::uint32_t count) {
                 continue;
             ++held;
             expect_whole_motion(solution);
-            const long trials = said(solution, Sentence::trial_on_line, Topic::velocity) +
-                                said(solution, Sentence::trial_of_spin, Topic::velocity);
+            const long trials = said(solution, lang::sentences::trial_on_line, Topic::velocity) +
+                                said(solution, lang::sentences::trial_of_spin, Topic::velocity);
             nested += trials > 1 ? 1 : 0;
         }
     }

@@ -16,10 +16,10 @@ namespace {
 
 Solution displaced(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.in(Language::en));
     mechanism->find.virtual_work = true;
     auto solution = solve(*std::move(mechanism));
-    if (!solution) throw std::runtime_error(solution.error().front().message.en);
+    if (!solution) throw std::runtime_error(solution.error().front().message.in(Language::en));
     return *std::move(solution);
 }
 
@@ -104,7 +104,8 @@ TEST(VirtualWork, AgreesWithTheForcePolygonsOfEveryExample) {
         if (mechanism->efforts.empty() || mechanism->joints.empty()) continue;
         const Solution solution = displaced(text);
         if (!solution.displacements->why_not.empty()) {
-            EXPECT_TRUE(solution.mobility.effective == 0) << name << ": " << solution.displacements->why_not.en;
+            EXPECT_TRUE(solution.mobility.effective == 0)
+                << name << ": " << solution.displacements->why_not.in(Language::en);
             continue;
         }
         held += hold_efforts_together(solution, name);
@@ -120,7 +121,8 @@ TEST(VirtualWork, AgreesWithTheForcePolygonsOfRandomMechanisms) {
         const std::string text = under_random_loads(drawn.text, bare.mechanism, bare.pose,
                                                     static_cast<std::uint64_t>(seed), drawn.freedoms, true);
         const Solution solution = displaced(text);
-        ASSERT_TRUE(solution.displacements->why_not.empty()) << solution.displacements->why_not.en << text;
+        ASSERT_TRUE(solution.displacements->why_not.empty())
+            << solution.displacements->why_not.in(Language::en) << text;
         held += hold_efforts_together(solution, drawn.recipe + text);
     }
     EXPECT_GE(held, unless_sanitized(12, 2));

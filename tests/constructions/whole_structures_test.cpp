@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/keys/sentences.hpp"
 #include "render/figures/truss_figures.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/sheet/sheet.hpp"
@@ -22,7 +23,7 @@ using namespace kinegraph;
 using namespace kinegraph::render;
 using namespace kinegraph::tests;
 
-bool says(const Solution& solution, Sentence sentence) {
+bool says(const Solution& solution, Key sentence) {
     const std::vector<Statement>& said = solution.protocol.statements;
     return std::any_of(said.begin(), said.end(),
                        [&](const Statement& each) { return each.message.sentence == sentence; });
@@ -99,8 +100,8 @@ TEST(WholeByStrings, AStepLadderUnderWeights) {
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]},
                 {"force": "V", "body": 3, "at": "Q", "value": [0, -400]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
-    EXPECT_TRUE(says(solution, Sentence::funicular_parallel));
-    EXPECT_FALSE(says(solution, Sentence::parallel_forces));
+    EXPECT_TRUE(says(solution, lang::sentences::funicular_parallel));
+    EXPECT_FALSE(says(solution, lang::sentences::parallel_forces));
     // B: (800 · 0.5 + 400 · 3.5)/4.
     const TakenTogether& together = together_in(solution);
     expect_funicular(*together.funicular, {0, 450}, {0, 750});
@@ -115,7 +116,7 @@ TEST(WholeByStrings, AStepLadderUnderWeights) {
 
 TEST(WholeByStrings, ATrussUnderWeights) {
     const Solution& solution = example("truss_simple");
-    EXPECT_TRUE(says(solution, Sentence::funicular_parallel));
+    EXPECT_TRUE(says(solution, lang::sentences::funicular_parallel));
     expect_funicular(*together_in(solution).funicular, {0, 8000}, {0, 10000});
     for (const SolutionDetail detail : {SolutionDetail::full, SolutionDetail::brief}) {
         SheetOptions options;
@@ -128,7 +129,7 @@ TEST(WholeByStrings, ATrussUnderWeights) {
 
 TEST(WholeByStrings, ARoofUnderWind) {
     const Solution& solution = example("truss_roof_wind");
-    EXPECT_TRUE(says(solution, Sentence::funicular_several));
+    EXPECT_TRUE(says(solution, lang::sentences::funicular_several));
     const TakenTogether& together = together_in(solution);
     Vector rest = reaction_at(solution, "E");
     for (const Load& load : solution.mechanism.loads) rest = rest + *std::get<ForceLoad>(load).value;
@@ -139,7 +140,7 @@ TEST(WholeByStrings, ARoofUnderWind) {
     const std::string letter = solution.truss->whole->meets.front().name;
     const auto said =
         std::find_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
-                     [](const Statement& each) { return each.message.sentence == Sentence::funicular_several; });
+                     [](const Statement& each) { return each.message.sentence == lang::sentences::funicular_several; });
     EXPECT_NE(english(said->message).find("its outer strings meet in " + letter + ", on the line"), std::string::npos);
     const Theme theme;
     const Figure figure = truss_figure({solution, theme, fonts()}, 150, 120);
@@ -161,7 +162,7 @@ TEST(WholeByStrings, ForcesOfSeveralDirections) {
                 {"force": "Q", "body": 3, "at": "N", "value": [-100, -700]},
                 {"force": "W", "pin": "C", "value": [0, -500]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
-    EXPECT_TRUE(says(solution, Sentence::funicular_several));
+    EXPECT_TRUE(says(solution, lang::sentences::funicular_several));
     // B = (300 · 1.5 + 400 · 2 + 700 · 4.5 − 100 · 2 + 500 · 3)/6.
     const TakenTogether& together = together_in(solution);
     expect_funicular(*together.funicular, {0, 950}, {-300, 550});
@@ -178,7 +179,7 @@ TEST(WholeByStrings, NotUnderACouple) {
                  "bodies": [3, 4]}],
       "loads": [{"couple": "M", "body": 2, "value": 800}]})");
     EXPECT_TRUE(solution.unsolved.empty());
-    EXPECT_FALSE(says(solution, Sentence::funicular_parallel));
+    EXPECT_FALSE(says(solution, lang::sentences::funicular_parallel));
     EXPECT_EQ(reaction_at(solution, "B"), (Vector{0, -200}));
 }
 
@@ -215,7 +216,7 @@ TEST(ParallelToAll, AGerberBeamOfThreeSpansNeedsNoSuperposition) {
                 {"force": "P_3", "body": 4, "at": "R", "value": [0, -30]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_FALSE(solution.superposition);
-    EXPECT_FALSE(says(solution, Sentence::trial));
+    EXPECT_FALSE(says(solution, lang::sentences::trial));
     // Half of P_2 at either hinge: B = (40 · 3 + 12 · 8)/6, C = (30 · 3 + 12 · 8)/6.
     EXPECT_EQ(reaction_at(solution, "A"), (Vector{0, 16}));
     EXPECT_EQ(reaction_at(solution, "B"), (Vector{0, 36}));
@@ -247,7 +248,7 @@ TEST(BodyOnBars, ThatSharePinsIsCutFreeOnce) {
           "joints": [)" + shared + R"(, {"revolute": "C", "bodies": [1, 5]}],
           "loads": [{"force": "F", "body": 2, "at": "P", "value": [100, -400]}]})");
         EXPECT_TRUE(solution.unsolved.empty());
-        EXPECT_FALSE(says(solution, Sentence::structure_whole)) << at_body;
+        EXPECT_FALSE(says(solution, lang::sentences::structure_whole)) << at_body;
         // About the meet of the others: K, or A.
         const Vector up = reaction_at(solution, "C");
         EXPECT_EQ(up.x, Exact(0));
@@ -295,14 +296,15 @@ protected:
         for (const StatementIndex i : indices_of(solution.protocol.statements)) {
             const Statement& statement = solution.protocol.statements[at_index(i)];
             if (statement.section != Topic::forces) continue;
-            const Sentence sentence = statement.message.sentence;
+            const Key sentence = statement.message.sentence;
             const std::string said = english(statement.message);
             for (const Argument& argument : statement.message.arguments) expect_on_sheet(solution, argument, said);
-            const bool draws = sentence != Sentence::truss_whole && sentence != Sentence::truss_stuck &&
-                               sentence != Sentence::truss_closes && sentence != Sentence::known_resultant &&
-                               sentence != Sentence::two_force_body;  // of a bar, which is there
+            const bool draws = sentence != lang::sentences::truss_whole && sentence != lang::sentences::truss_stuck &&
+                               sentence != lang::sentences::truss_closes &&
+                               sentence != lang::sentences::known_resultant &&
+                               sentence != lang::sentences::two_force_bar;  // of a bar, which is there
             EXPECT_TRUE(!draws || drawn.contains(i)) << said;
-            if (sentence != Sentence::truss_plan) continue;
+            if (sentence != lang::sentences::truss_plan) continue;
             for (const char letter : std::get<std::string>(statement.message.arguments.front()))
                 EXPECT_TRUE(letter == ',' || letter == ' ' || labels_.contains(std::string(1, letter))) << said;
         }
@@ -367,7 +369,7 @@ TEST_F(TrussSentence, OfATrussOnThreeLinksHasCulmannsLine) {
       -6000]}]})");
     ASSERT_TRUE(solution.truss);
     EXPECT_TRUE(solution.unsolved.empty());
-    EXPECT_TRUE(says(solution, Sentence::culmann_line));
+    EXPECT_TRUE(says(solution, lang::sentences::culmann_line));
     const std::vector<Page> pages = sheet_of(solution);
     expect_on_sheet(solution, pages);
     EXPECT_TRUE(labels_on(pages).contains("F_HK"));

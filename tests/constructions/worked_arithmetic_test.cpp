@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "lang/keys/sentences.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/scene/sentences.hpp"
 #include "tests/support/files.hpp"
@@ -21,10 +22,11 @@ using namespace kinegraph;
 using tests::example;
 
 /// All that an example says of one kind, with its numbers.
-std::string said(const Solution& solution, Sentence sentence) {
+std::string said(const Solution& solution, Key sentence) {
     std::string text;
     for (const Statement& statement : solution.protocol.statements)
-        if (statement.message.sentence == sentence) text += plain(say(statement.message, render::Language::en)) + "\n";
+        if (statement.message.sentence == sentence)
+            text += render::plain(render::say(statement.message, Language::en)) + "\n";
     return text;
 }
 bool has(const std::string& text, std::string words) {
@@ -66,10 +68,10 @@ TEST(WorkedArithmetic, UnitsOfTheFileAreBridged) {
         "frame": 1, "drivers": [{"body": 2, "omega": "300 rpm"}],
         "masses": {"3": {"mass": "1 kg", "centre": "A", "inertia": "4000 kg mm²"}}, "inertia forces": true,
         "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"]})");
-    const std::string couple = said(solution, Sentence::inertia_couple),
-                      turning = said(solution, Sentence::omega_from_pair);
+    const std::string couple = said(solution, lang::sentences::inertia_couple),
+                      turning = said(solution, lang::sentences::omega_from_pair);
     EXPECT_TRUE(has(couple, "M_i~=~−0.004~·~")) << couple;
-    EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "ω_2~=~300~rpm =~31.4~rad/s")) << turning;
+    EXPECT_TRUE(has(said(solution, lang::sentences::crank_velocity), "ω_2~=~300~rpm =~31.4~rad/s")) << turning;
     EXPECT_TRUE(has(turning, "rad/s =~−45.0~rpm")) << turning;
 }
 
@@ -87,8 +89,8 @@ TEST(WorkedArithmetic, MomentsOfCutsAreSumsOfForcesTimesArms) {
         "loads": [{"force": "P", "pin": "B", "magnitude": "30 kN", "along": -90},
                   {"force": "Q", "pin": "E", "magnitude": "20 kN", "along": 0}],
         "find": ["forces", {"cut": ["DE", "CD", "BC"]}]})");
-    const std::string about = said(solution, Sentence::truss_cut_moment),
-                      across = said(solution, Sentence::truss_cut_across);
+    const std::string about = said(solution, lang::sentences::truss_cut_moment),
+                      across = said(solution, lang::sentences::truss_cut_across);
     EXPECT_TRUE(has(about, "M_C~=~−20~·~4 +~18.89~·~3 =~−23.3~kN~m; F_DE~=~23.33/4 =~5.83~kN.")) << about;
     EXPECT_TRUE(has(about, "M_D~=~18.89~·~6 =~113~kN~m; F_BC~=~113.3/4 =~28.3~kN.")) << about;
     EXPECT_TRUE(has(across, "F_CD~=~−18.89/0.8 =~−23.6~kN.")) << across;
@@ -96,8 +98,8 @@ TEST(WorkedArithmetic, MomentsOfCutsAreSumsOfForcesTimesArms) {
 
 /// Neither is a divisor written with a power of ten parted from it, nor a product with one broken over a line.
 TEST(WorkedArithmetic, APowerOfTenIsReadWithItsNumber) {
-    const Message message{Sentence::no_force, {}, {{{Symbol::Letter::M, "C", {}}, {{3}}, 2e6, {1.5e-6, "N m"}}}};
-    const std::string words = plain(say(message, render::Language::en));
+    const Message message{lang::sentences::no_force, {}, {{{Symbol::Letter::M, "C", {}}, {{3}}, 2e6, {1.5e-6, "N m"}}}};
+    const std::string words = render::plain(render::say(message, Language::en));
     EXPECT_TRUE(has(words, "M_C~=~3/(2~×~10^6) =~1.50~×~10^−6~N~m")) << words;
 }
 
@@ -130,19 +132,19 @@ TEST(WorkedArithmetic, ACoriolisTermHasTheDirectionThatIsTold) {
 
 TEST(WorkedArithmetic, OfTheFourBarAreThoseOfTheBlackboard) {
     const Solution& solution = example("four_bar");  // ω = −120 rpm, O2A 40 mm, AB 150 mm, O4B 80 mm
-    EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "v_A~=~12.57~·~0.04 =~0.503~m/s"));
-    EXPECT_TRUE(has(said(solution, Sentence::crank_acceleration), "a_A^n~=~12.57²~·~0.04 =~6.32~m/s^2") ||
-                has(said(solution, Sentence::crank_acceleration), "a_A^n~=~12.57^2~·~0.04 =~6.32~m/s^2"))
-        << said(solution, Sentence::crank_acceleration);
-    EXPECT_TRUE(has(said(solution, Sentence::omega_from_pair), "ω_3~=~0.1963/0.15 =~1.31~rad/s"));
-    EXPECT_TRUE(has(said(solution, Sentence::omega_from_pair), "ω_4~=~−0.3828/0.08 =~−4.78~rad/s"));
+    EXPECT_TRUE(has(said(solution, lang::sentences::crank_velocity), "v_A~=~12.57~·~0.04 =~0.503~m/s"));
+    EXPECT_TRUE(has(said(solution, lang::sentences::crank_acceleration), "a_A^n~=~12.57²~·~0.04 =~6.32~m/s^2") ||
+                has(said(solution, lang::sentences::crank_acceleration), "a_A^n~=~12.57^2~·~0.04 =~6.32~m/s^2"))
+        << said(solution, lang::sentences::crank_acceleration);
+    EXPECT_TRUE(has(said(solution, lang::sentences::omega_from_pair), "ω_3~=~0.1963/0.15 =~1.31~rad/s"));
+    EXPECT_TRUE(has(said(solution, lang::sentences::omega_from_pair), "ω_4~=~−0.3828/0.08 =~−4.78~rad/s"));
     // P_12 P_24 : P_14 P_24 = 92.2 mm : 242.2 mm, both on one side of P_24.
-    EXPECT_TRUE(has(said(solution, Sentence::second_way), "ω_4~=~−12.57~·~92.23/242.2 =~−4.78~rad/s"))
-        << said(solution, Sentence::second_way);
+    EXPECT_TRUE(has(said(solution, lang::sentences::second_way), "ω_4~=~−12.57~·~92.23/242.2 =~−4.78~rad/s"))
+        << said(solution, lang::sentences::second_way);
 }
 
 TEST(WorkedArithmetic, AUniformCrankHasNoTangentialPart) {
-    EXPECT_FALSE(has(said(example("four_bar"), Sentence::crank_acceleration), "tangential"));
+    EXPECT_FALSE(has(said(example("four_bar"), lang::sentences::crank_acceleration), "tangential"));
 }
 
 TEST(WorkedArithmetic, ABodyThatTranslatesHasNoOmegaSquared) {
@@ -150,7 +152,7 @@ TEST(WorkedArithmetic, ABodyThatTranslatesHasNoOmegaSquared) {
     for (const std::string& name : tests::example_names()) {
         const Solution& solution = example(name);
         for (const Statement& statement : solution.protocol.statements) {
-            if (statement.message.sentence != Sentence::image_acceleration) continue;
+            if (statement.message.sentence != lang::sentences::image_acceleration) continue;
             const auto& body = std::get<BodyName>(statement.message.arguments[1]);
             const BodyMotion& motion = solution.bodies.at(at_index(*solution.mechanism.body_named(body.name)));
             EXPECT_FALSE(motion.omega->is_zero()) << name << ": " << english(statement.message);
@@ -162,15 +164,15 @@ TEST(WorkedArithmetic, ABodyThatTranslatesHasNoOmegaSquared) {
 
 TEST(WorkedArithmetic, ATriangleIsOfThreeForces) {
     const Solution& solution = example("exam_2001");  // body 5: weight, inertia, the rod's force and the guide's
-    EXPECT_TRUE(has(said(solution, Sentence::polygon_at), "body 5"));
-    EXPECT_FALSE(has(said(solution, Sentence::triangle), "body 5"));
-    EXPECT_FALSE(has(said(solution, Sentence::triangle_at), "body 5"));
+    EXPECT_TRUE(has(said(solution, lang::sentences::polygon_at), "body 5"));
+    EXPECT_FALSE(has(said(solution, lang::sentences::triangle), "body 5"));
+    EXPECT_FALSE(has(said(solution, lang::sentences::triangle_at), "body 5"));
 }
 
 TEST(WorkedArithmetic, TheInertiaForceIsAStep) {
     const Solution& solution = example("exam_2001");
-    EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N"))
-        << said(solution, Sentence::inertia_force);
+    EXPECT_TRUE(has(said(solution, lang::sentences::inertia_force), "10~·~1.468 =~14.7~N"))
+        << said(solution, lang::sentences::inertia_force);
 }
 
 // Area and centroid of a trapezium; the forces' resultant, and by how much a couple moves it aside.
@@ -184,11 +186,11 @@ TEST(WorkedArithmetic, ADistributedLoadAndACoupleHaveTheirNumbers) {
         "along": -90},
                   {"couple": "m", "body": 1, "value": 12},
                   {"force": "P", "body": 1, "at": "D", "magnitude": 5, "along": -120}]})");
-    const std::string load = said(solution, Sentence::distributed_load);
+    const std::string load = said(solution, lang::sentences::distributed_load);
     EXPECT_TRUE(has(load, "7~·~6 =~42.0~kN") && has(load, "x~=~3.43~m")) << load;  // 6·(4 + 2·10)/(3·14)
-    EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P"))
-        << said(solution, Sentence::known_resultant);
-    const std::string moved = said(solution, Sentence::inertia_moved);
+    EXPECT_TRUE(has(said(solution, lang::sentences::known_resultant), "F_q, F_P"))
+        << said(solution, lang::sentences::known_resultant);
+    const std::string moved = said(solution, lang::sentences::inertia_moved);
     EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
 }
 
@@ -203,7 +205,7 @@ TEST(WorkedArithmetic, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
                       {"force": "P", "body": 1, "at": "D", "magnitude": 30, "along": 0},
                       {"couple": "m", "body": 1, "value": )" +
                                   couple + R"(}]})"),
-                    Sentence::inertia_moved);
+                    lang::sentences::inertia_moved);
     };
     const std::string in_mm = moved(R"({"length": "mm", "force": "N", "moment": "N mm"})", "20");
     EXPECT_TRUE(has(in_mm, "20/50 =~0.400~mm.")) << in_mm;
@@ -225,10 +227,10 @@ TEST(WorkedArithmetic, TheFirstLinkOfAnImageIsDrawnAndValued) {
         "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"]},
         "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}],
         "drivers": [{"body": 2, "omega": 1.2}, {"body": 3, "relative to": 2, "omega": 2, "alpha": -0.5}]})");
-    const std::string velocity = said(solution, Sentence::image_velocity);
+    const std::string velocity = said(solution, lang::sentences::image_velocity);
     EXPECT_TRUE(has(velocity, "3.2~·~0.2 =~0.640~m/s")) << velocity;
     EXPECT_FALSE(has(velocity, "v_CA")) << "later points follow by similar figures: " << velocity;
-    const std::string acceleration = said(solution, Sentence::image_acceleration);
+    const std::string acceleration = said(solution, lang::sentences::image_acceleration);
     EXPECT_TRUE(has(acceleration, "3.2^2~·~0.2 =~2.05~m/s")) << acceleration;
     EXPECT_TRUE(has(acceleration, "0.5~·~0.2 =~0.100~m/s")) << acceleration;
     const auto drawn = [&](const char* name) {
@@ -248,9 +250,9 @@ TEST(WorkedArithmetic, AnAuxiliaryPointHasItsPlaceAndItsLever) {
         "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
                    {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
         "drivers": [{"body": 3, "at": "P", "along": [-3, 1], "speed": "250 mm/s"}]})");
-    const std::string place = said(solution, Sentence::auxiliary_point);
+    const std::string place = said(solution, lang::sentences::auxiliary_point);
     EXPECT_TRUE(has(place, "⟂~O_2A") && has(place, "⟂~O_4B") && has(place, "x~=~117~mm, y~=~320~mm")) << place;
-    const std::string turning = said(solution, Sentence::omega_from_pair);
+    const std::string turning = said(solution, lang::sentences::omega_from_pair);
     EXPECT_TRUE(has(turning, "252.1/231.6")) << turning;  // v_PS by PS
 }
 
@@ -263,7 +265,7 @@ TEST(WorkedArithmetic, ParallelForcesHaveTheirMomentAndArm) {
             "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [2, 3]}, {"revolute": "C",
             "bodies": [1, 3]}],
             "loads": [)" + loads + "]}"),
-                    Sentence::parallel_forces);
+                    lang::sentences::parallel_forces);
     };
     const std::string couple = R"({"couple": "Q", "body": 2, "value": -12})",
                       force = R"({"force": "P", "body": 2, "at": "P", "magnitude": 20, "along": -90})";
@@ -290,8 +292,8 @@ TEST(WorkedArithmetic, AnInertiaForceIsMovedOnce) {
         "loads": [{"couple": "Mr", "body": 6, "value": "-5 N m"}], "effort": {"couple": "Mm", "body": 2}})");
     int moved = 0, added = 0;
     for (const Statement& statement : solution.protocol.statements) {
-        if (statement.message.sentence == Sentence::inertia_moved) ++moved;
-        if (statement.message.sentence != Sentence::known_resultant) continue;
+        if (statement.message.sentence == lang::sentences::inertia_moved) ++moved;
+        if (statement.message.sentence != lang::sentences::known_resultant) continue;
         EXPECT_EQ(moved, 1) << "first";
         ++added;
         for (const Argument& argument : statement.message.arguments) {
@@ -312,8 +314,9 @@ TEST(WorkedArithmetic, KnownTermsOfEquationsAreToldInBrief) {
         const Solution& solution = example(name);
         const std::vector<Statement>& statements = solution.protocol.statements;
         for (std::size_t which = 0; which < statements.size(); ++which) {
-            const Sentence sentence = statements[which].message.sentence;
-            if (sentence != Sentence::image_velocity && sentence != Sentence::image_acceleration) continue;
+            const Key sentence = statements[which].message.sentence;
+            if (sentence != lang::sentences::image_velocity && sentence != lang::sentences::image_acceleration)
+                continue;
             const Symbol& found = std::get<Symbol>(statements[which].message.arguments[2]);
             bool is_known_term = false;
             for (const Statement& other : statements)
@@ -330,7 +333,7 @@ TEST(WorkedArithmetic, KnownTermsOfEquationsAreToldInBrief) {
 
 TEST(WorkedArithmetic, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution& solution = example("watt_six_bar");
-    const std::string text = said(solution, Sentence::image_velocity);
+    const std::string text = said(solution, lang::sentences::image_velocity);
     EXPECT_TRUE(has(text, "v_E~=~0.0421~m/s")) << text;
 }
 
@@ -343,7 +346,7 @@ TEST(WorkedArithmetic, AnInertiaForceInPoundsIsDividedByTheirConstant) {
         "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 10}],
         "masses": {"2": {"mass": 3, "centre": "A", "inertia": 0}}, "inertia forces": true,
         "effort": {"couple": "M", "body": 2}})");
-    const std::string text = said(solution, Sentence::inertia_force);
+    const std::string text = said(solution, lang::sentences::inertia_force);
     EXPECT_TRUE(has(text, "3~·~1000/386.1 =~7.77~lbf")) << text;
 }
 

@@ -27,7 +27,7 @@ Seen look(const Sketch& s) {
     Seen seen;
     auto pose = draw_pose(s.mechanism);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().message.en;
+        ADD_FAILURE() << pose.error().front().message.in(Language::en);
         return seen;
     }
     seen.pose = std::move(*pose);

@@ -31,7 +31,7 @@ std::string dwells(const std::string& rise) {
 }
 Cam cam_of(const std::string& text, const std::string& name = "cam.json") {
     auto cam = read_cam(text, name);
-    if (!cam) throw std::runtime_error(cam.error().front().where + ": " + cam.error().front().message.en);
+    if (!cam) throw std::runtime_error(cam.error().front().where + ": " + cam.error().front().message.in(Language::en));
     return *std::move(cam);
 }
 
@@ -288,7 +288,8 @@ TEST(Cam, FaultsOfFilesAreTold) {
           Case{R"({"kinegraph": 1})", "\"cam\" is missing"}, Case{"[]", "is a JSON object"}}) {
         const auto cam = read_cam(each.text, "cam.json");
         ASSERT_FALSE(cam) << each.told;
-        EXPECT_NE(cam.error().front().message.en.find(each.told), std::string::npos) << cam.error().front().message.en;
+        EXPECT_NE(cam.error().front().message.in(Language::en).find(each.told), std::string::npos)
+            << cam.error().front().message.in(Language::en);
     }
     const Cam far = cam_of(
         file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));

@@ -23,7 +23,7 @@ struct Statics {
     explicit Statics(Mechanism given) : mechanism(std::move(given)) {
         auto drawn = draw_pose(mechanism);
         if (!drawn) {
-            ADD_FAILURE() << drawn.error().front().where << ": " << drawn.error().front().message.en;
+            ADD_FAILURE() << drawn.error().front().where << ": " << drawn.error().front().message.in(Language::en);
             motion.bodies.resize(mechanism.bodies.size());
             return;
         }
@@ -36,7 +36,7 @@ struct Statics {
     static Mechanism read(const std::string& text) {
         auto mechanism = read_mechanism(text, "test.json");
         if (mechanism) return *std::move(mechanism);
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.in(Language::en);
         return {};
     }
 

@@ -17,7 +17,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 Pose drawn(const Sketch& sketch, int bits = 100) {
     auto pose = draw_pose(sketch.mechanism, bits);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.en;
+        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(pose);

@@ -120,7 +120,8 @@ TEST_P(EquationsOfExample, GiveTheMotionOfThePolygons) {
         const bool open =
             std::any_of(solution.mechanism.joints.begin(), solution.mechanism.joints.end(),
                         [](const Joint& joint) { return joint.pair().touches() && joint.profiles.size() < 2; });
-        EXPECT_TRUE(solution.mechanism.motion || open || solution.mechanism.joints.empty()) << equations.why_not.en;
+        EXPECT_TRUE(solution.mechanism.motion || open || solution.mechanism.joints.empty())
+            << equations.why_not.in(Language::en);
         return;
     }
     EXPECT_LT(gap(equations), 1e-11);
@@ -146,7 +147,7 @@ TEST(EquationsOfRandomMechanisms, GiveTheMotionOfThePolygons) {
         const RandomMechanism drawn = random_mechanism(static_cast<std::uint64_t>(seed) * 17);
         const Solution solution = tests::solved(drawn.text);
         const Equations equations = equations_of(solution.mechanism, solution.pose);
-        ASSERT_TRUE(equations.why_not.empty()) << equations.why_not.en;
+        ASSERT_TRUE(equations.why_not.empty()) << equations.why_not.in(Language::en);
         EXPECT_LT(gap(equations), 1e-11);
         const Mobility& mobility = solution.mobility;
         ASSERT_EQ(static_cast<int>(equations.unknowns.size()) - equations.rank, mobility.effective - mobility.driven)
@@ -216,12 +217,12 @@ Solution four_bar(const std::vector<Setting>& bars, const std::string& side) {
     std::string text = file;
     text.replace(text.find("left"), 4, side);
     auto mechanism = read_mechanism(text, "four_bar.json", bars);
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.in(Language::en));
     auto solution = solve(*std::move(mechanism));
-    if (!solution) throw std::runtime_error(solution.error().front().message.en);
+    if (!solution) throw std::runtime_error(solution.error().front().message.in(Language::en));
     return *std::move(solution);
 }
-std::string told(const Solution& solution, render::Language language) {
+std::string told(const Solution& solution, Language language) {
     return render::as_text(render::equation_items(solution, language));
 }
 
@@ -239,8 +240,7 @@ TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
         ASSERT_EQ(solved.change_points.size(), twice ? 2U : 1U);
         EXPECT_NEAR(solved.change_points.front(), 0, 1e-9);
         EXPECT_NEAR(solved.change_points.back(), twice ? std::numbers::pi : 0, 1e-9);
-        const std::string english = told(solution, render::Language::en),
-                          italian = told(solution, render::Language::it);
+        const std::string english = told(solution, Language::en), italian = told(solution, Language::it);
         const std::string places = twice ? "0°; 180°: change points" : "0°: a change point";
         EXPECT_NE(english.find("det J = 0 at α = " + places +
                                ", where the branch is a choice; the driven body passes and makes full turns."),
@@ -257,7 +257,7 @@ TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
     const Solution stopped = four_bar({{"a", "40.01 mm"}, {"b", "70 mm"}, {"c", "90 mm"}}, "left");
     EXPECT_EQ(stopped.equations->loops.front().solved.dead_points->size(), 2U);
     EXPECT_TRUE(stopped.equations->loops.front().solved.change_points.empty());
-    EXPECT_NE(told(stopped, render::Language::en).find("its body makes no full turn"), std::string::npos);
+    EXPECT_NE(told(stopped, Language::en).find("its body makes no full turn"), std::string::npos);
 }
 
 /// What the compass leaves over is no velocity: the coupler of a parallelogram translates, in the results and in the
@@ -275,7 +275,7 @@ TEST(EquationsOfAParallelogram, HaveNoNoise) {
     EXPECT_EQ(named(equations, "theta 4").acceleration, 0.0);
     EXPECT_EQ(ratio(equations, "theta 3", "theta 2"), 0.0);
     EXPECT_EQ(ratio(equations, "theta 4", "theta 2", true), 0.0);
-    const std::string text = told(solution, render::Language::en);
+    const std::string text = told(solution, Language::en);
     EXPECT_EQ(text.find("10⁻"), std::string::npos) << text;
     for (const char* const noise : {"e-1", "e-2", "e-3"})
         EXPECT_EQ(equations_json(equations).find(noise), std::string::npos) << equations_json(equations);
@@ -372,8 +372,8 @@ TEST(EquationsOfRodAtAnArm, SayTheRightTriangleAndKeepNumbersApartInBothLanguage
     const auto solved = solve(*std::move(mechanism));
     ASSERT_TRUE(solved);
     const Solution& solution = *solved;
-    const std::string english = render::as_text(render::equation_items(solution, render::Language::en));
-    const std::string italian = render::as_text(render::equation_items(solution, render::Language::it));
+    const std::string english = render::as_text(render::equation_items(solution, Language::en));
+    const std::string italian = render::as_text(render::equation_items(solution, Language::it));
     const auto has = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
     EXPECT_TRUE(has(english, "right triangle")) << english;
     EXPECT_TRUE(has(italian, "triangolo rettangolo")) << italian;
@@ -404,7 +404,7 @@ TEST(EquationsOfContacts, HoldToTheFirstOrderWhereOnlyTheTangentIsKnown) {
                  {"contact": "P", "bodies": [2, 3], "tangent": 30}],
       "drivers": [{"body": 2, "omega": 2}], "find": ["velocity"]})");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
-    ASSERT_TRUE(equations.why_not.empty()) << equations.why_not.en;
+    ASSERT_TRUE(equations.why_not.empty()) << equations.why_not.in(Language::en);
     EXPECT_EQ(equations.by_tangent.size(), 1U);
     EXPECT_LT(gap(equations), 1e-11);
     EXPECT_TRUE(equations.second_ratios.empty());

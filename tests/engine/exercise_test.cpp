@@ -47,13 +47,14 @@ std::vector<std::string> faults(const std::string& more, const std::string& para
     std::vector<std::string> lines;
     const auto read = read_mechanism(crank(more, parameters, omega), "test.json", set);
     if (!read)
-        for (const Error& each : read.error()) lines.push_back(each.where + ": " + each.message.en);
+        for (const Error& each : read.error()) lines.push_back(each.where + ": " + each.message.in(Language::en));
     return lines;
 }
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
     if (!mechanism)
-        throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
+        throw std::runtime_error(mechanism.error().front().where + ": " +
+                                 mechanism.error().front().message.in(Language::en));
     return *std::move(mechanism);
 }
 const auto always = [](const Solution&, Condition::Polygon) { return true; };
@@ -164,7 +165,7 @@ TEST(Require, HoldsOfResultsInTheirUnits) {
     std::vector<bool> held;
     for (const Condition& each : solution.mechanism.exercise->require) {
         const auto fits = holds(each, solution, results);
-        ASSERT_TRUE(fits) << each.text << ": " << fits.error().front().message.en;
+        ASSERT_TRUE(fits) << each.text << ": " << fits.error().front().message.in(Language::en);
         held.push_back(*fits);
     }
     // v = 0.12 m/s, its components −0.12 sin 60° and 0.12 cos 60°.
@@ -223,11 +224,12 @@ TEST(Shuffle, GoesThroughAllNumbersOnce) {
 
 std::vector<Variant> drawn(const std::string& text, std::uint64_t seed, std::size_t count) {
     auto variants = Variants::of(text, "test.json", {}, seed);
-    if (!variants) throw std::runtime_error(variants.error().front().message.en);
+    if (!variants) throw std::runtime_error(variants.error().front().message.in(Language::en));
     std::vector<Variant> all;
     while (all.size() < count) {
         auto next = variants->next(always);
-        if (!next) throw std::runtime_error(next.error().front().where + ": " + next.error().front().message.en);
+        if (!next)
+            throw std::runtime_error(next.error().front().where + ": " + next.error().front().message.in(Language::en));
         if (!*next) break;
         all.push_back(**std::move(next));
     }
@@ -251,7 +253,8 @@ std::vector<NamedResult> by_check(const Variant& variant, std::size_t& held) {
     if (solution.problem) {
         for (NamedResult& each : results)
             for (const ProblemValue& value : solution.problem->values)
-                if (value.name.en == each.column.name && value.numeric) each.value = *value.numeric, ++held;
+                if (value.name.in(Language::en) == each.column.name && value.numeric)
+                    each.value = *value.numeric, ++held;
         return results;
     }
     for (NamedResult& each : results) {
@@ -405,8 +408,8 @@ TEST(Questions, OfAllProblemsAreOneCleanPage) {
         for (const char* found : {"and after", "pressures and", "and pressures", "Results"})
             EXPECT_FALSE(pages::says(question, found)) << found;
         for (const ProblemValue& each : solution.problem->values)
-            EXPECT_TRUE(pages::says(question, (each.spoken.empty() ? each.name : each.spoken).en))
-                << "sought: " << each.name.en;
+            EXPECT_TRUE(pages::says(question, (each.spoken.empty() ? each.name : each.spoken).in(Language::en)))
+                << "sought: " << each.name.in(Language::en);
     }
 }
 

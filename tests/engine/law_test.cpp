@@ -112,10 +112,10 @@ TEST(Law, FaultsOfFilesAreTold) {
           Case{R"("law": {"form": "harmonic", "slide": "2 mm", "time": 1})", "unknown key \"slide\""}}) {
         const auto read = read_mechanism(crank(each.driver), "a.json");
         ASSERT_FALSE(read) << each.driver;
-        EXPECT_TRUE(
-            std::any_of(read.error().begin(), read.error().end(),
-                        [&](const Error& error) { return error.message.en.find(each.told) != std::string::npos; }))
-            << each.driver << ": " << read.error().front().message.en;
+        EXPECT_TRUE(std::any_of(
+            read.error().begin(), read.error().end(),
+            [&](const Error& error) { return error.message.in(Language::en).find(each.told) != std::string::npos; }))
+            << each.driver << ": " << read.error().front().message.in(Language::en);
     }
 }
 

@@ -14,7 +14,7 @@ using namespace sketch;
 Mobility mobility(const Sketch& sketch) {
     const auto pose = draw_pose(sketch.mechanism);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.en;
+        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.in(Language::en);
         return {};
     }
     const Mobility result = mobility_of(sketch.mechanism, *pose);

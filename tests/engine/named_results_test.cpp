@@ -19,7 +19,7 @@ namespace {
 
 Mechanism read_or_throw(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.in(Language::en));
     return *std::move(mechanism);
 }
 /// An example with "ask" added.
@@ -119,14 +119,15 @@ TEST(Ask, KnowsWhatAProblemFinds) {
     const auto wrong = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse z"])")));
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().front().where, "/ask/0");
-    EXPECT_NE(wrong.error().front().message.en.find("\"impulse x\""), std::string::npos)
-        << wrong.error().front().message.en;
+    EXPECT_NE(wrong.error().front().message.in(Language::en).find("\"impulse x\""), std::string::npos)
+        << wrong.error().front().message.in(Language::en);
 }
 
 TEST(Ask, FaultsNameThePlaceAndTheNearest) {
     const auto fault = [](const std::string& ask) {
         const auto read = read_mechanism(asking("four_bar", ask), "test.json");
-        return read ? std::string("none") : read.error().front().where + ": " + read.error().front().message.en;
+        return read ? std::string("none")
+                    : read.error().front().where + ": " + read.error().front().message.in(Language::en);
     };
     EXPECT_EQ(fault(R"(["omega 3", "omega 33"])"),
               "/ask/1: no result is named \"omega 33\" (did you mean \"omega 3\"?); names are those of the columns of "
@@ -144,7 +145,7 @@ TEST(Ask, FaultsNameThePlaceAndTheNearest) {
 TEST(Ask, NamesAreComparedByTheirLetters) {
     const auto meant = [](const std::string& asked) {
         const auto read = read_mechanism(asking("four_bar", "[\"" + asked + "\"]"), "test.json");
-        const std::string said = read ? std::string() : read.error().front().message.en;
+        const std::string said = read ? std::string() : read.error().front().message.in(Language::en);
         const std::size_t from = said.find("(did you mean \""), to = said.find("\"?)");
         return from == std::string::npos ? std::string("none") : said.substr(from + 15, to - from - 15);
     };

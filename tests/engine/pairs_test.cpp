@@ -24,7 +24,6 @@ namespace kinegraph::pairs_test {
 namespace {
 
 using namespace sketch;
-using render::Language;
 using render::TextForm;
 
 /// One body against the frame by one pair of the kind.

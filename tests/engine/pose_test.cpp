@@ -19,7 +19,7 @@ Vector direction(const char* angle) { return direction_of(degrees(angle), 100); 
 Pose drawn(const Sketch& sketch, int bits = 100) {
     auto pose = draw_pose(sketch.mechanism, bits);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.en;
+        ADD_FAILURE() << pose.error().front().where << ": " << pose.error().front().message.in(Language::en);
         return {};
     }
     return *std::move(pose);
@@ -169,13 +169,13 @@ TEST(Pose, NearTakesTheNearerAndRefusesATie) {
     EXPECT_EQ(drawn(s).at(PointIndex(2)), (Vector{3, 4}));
     s.point("Q", Meet{s.circle("C", "5"), s.circle("D", "5"), at("1", "0"), Meet::Side::either});
     EXPECT_EQ(refused(s).where, "/points/Q");
-    EXPECT_NE(refused(s).message.en.find("equally far"), std::string::npos);
+    EXPECT_NE(refused(s).message.in(Language::en).find("equally far"), std::string::npos);
 }
 
 TEST(Pose, TwoIntersectionsNeedAChoice) {
     Sketch s;
     s.point("C", "0", "0").point("D", "6", "0").meet("P", s.circle("C", "5"), s.circle("D", "5"));
-    EXPECT_NE(refused(s).message.en.find("meet twice; choose"), std::string::npos);
+    EXPECT_NE(refused(s).message.in(Language::en).find("meet twice; choose"), std::string::npos);
     EXPECT_EQ(refused(s).code, ErrorCode::bad_input);
 }
 
@@ -204,21 +204,22 @@ TEST(Pose, CurvesThatDoNotMeetSayByHowMuch) {
     s.point("A", "0", "0").point("O4", "0.1", "0").meet("B", s.circle("A", "0.05"), s.circle("O4", "0.03"));
     EXPECT_EQ(refused(s).code, ErrorCode::cannot_meet);
     EXPECT_EQ(refused(s).where, "/points/B");
-    EXPECT_EQ(refused(s).message.en,
+    EXPECT_EQ(refused(s).message.in(Language::en),
               "the circles about A (radius 50 mm) and O4 (radius 30 mm) do not meet: their centres are 100 mm apart, "
               "20 mm too far");
     Sketch inside = s;
     inside.mechanism.points.pop_back();
     inside.meet("B", s.circle("A", "0.25"), s.circle("O4", "0.03"));
-    EXPECT_NE(refused(inside).message.en.find("100 mm apart, 120 mm too near"), std::string::npos);
+    EXPECT_NE(refused(inside).message.in(Language::en).find("100 mm apart, 120 mm too near"), std::string::npos);
     Sketch line = s;
     line.mechanism.points.pop_back();
     line.meet("B", s.circle("A", "0.05"), s.line("O4", "90"));
-    EXPECT_NE(refused(line).message.en.find("passes 100 mm from the centre, 50 mm too far"), std::string::npos);
+    EXPECT_NE(refused(line).message.in(Language::en).find("passes 100 mm from the centre, 50 mm too far"),
+              std::string::npos);
     Sketch parallel = s;
     parallel.mechanism.points.pop_back();
     parallel.meet("B", s.line("A", "30"), LineCurve{at("0", "0.01"), LineCurve::By::angle, degrees("210"), none, {}});
-    EXPECT_NE(refused(parallel).message.en.find("they are parallel"), std::string::npos);
+    EXPECT_NE(refused(parallel).message.in(Language::en).find("they are parallel"), std::string::npos);
 }
 
 TEST(Pose, AMeetStaysOnItsLineExactly) {
@@ -290,8 +291,9 @@ TEST(Contact, WithinItsFitIsMovedOntoTheCurveAndSaysSo) {
 
 TEST(Contact, OffItsCurveIsRefusedWithTheMisfit) {
     EXPECT_EQ(refused(disc_on_ground("0.001", "0.5")).where, "/joints/0");
-    EXPECT_NE(refused(disc_on_ground("0.001", "0.5")).message.en.find("P is 0.001 m off"), std::string::npos);
-    EXPECT_NE(refused(disc_on_ground("0", "0.51")).message.en.find("0.01 m off"), std::string::npos);
+    EXPECT_NE(refused(disc_on_ground("0.001", "0.5")).message.in(Language::en).find("P is 0.001 m off"),
+              std::string::npos);
+    EXPECT_NE(refused(disc_on_ground("0", "0.51")).message.in(Language::en).find("0.01 m off"), std::string::npos);
 }
 
 TEST(Contact, GearsTouchOnTheLineOfCentres) {

@@ -20,7 +20,7 @@ constexpr double pi_ = std::numbers::pi;
 
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en + "\n" + text);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.in(Language::en) + "\n" + text);
     return *std::move(mechanism);
 }
 Mechanism example(const std::string& name) { return read(tests::contents(tests::example_file(name))); }
@@ -32,9 +32,9 @@ struct Drawn {
 };
 Drawn drawn(Mechanism mechanism, int driver = 0) {
     auto pose = draw_pose(mechanism);
-    if (!pose) throw std::runtime_error(pose.error().front().message.en);
+    if (!pose) throw std::runtime_error(pose.error().front().message.in(Language::en));
     auto positions = Positions::of(mechanism, *pose, driver);
-    if (!positions) throw std::runtime_error(positions.error().front().message.en);
+    if (!positions) throw std::runtime_error(positions.error().front().message.in(Language::en));
     return {std::move(mechanism), *std::move(pose), *std::move(positions)};
 }
 

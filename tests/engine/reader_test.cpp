@@ -24,7 +24,7 @@ std::string text_of(const std::filesystem::path& path) { return tests::contents(
 
 std::string lines_of(const Errors& errors) {
     std::string lines;
-    for (const Error& error : errors) lines += error.where + ": " + error.message.en + "\n";
+    for (const Error& error : errors) lines += error.where + ": " + error.message.in(Language::en) + "\n";
     return lines;
 }
 
@@ -72,7 +72,8 @@ TEST(Reader, EveryFaultHasItsOwnWordsInBothLanguages) {
         const auto refused = read_mechanism(text_of(file), "test.json");
         ASSERT_FALSE(refused);
         ASSERT_FALSE(refused.error().empty());
-        for (const Error& error : refused.error()) EXPECT_NE(error.message.en, error.message.it) << file.filename();
+        for (const Error& error : refused.error())
+            EXPECT_NE(error.message.in(Language::en), error.message.in(Language::it)) << file.filename();
     }
 }
 
@@ -128,7 +129,7 @@ TEST(Reader, ReadsTheFileOfTheDocumentation) {
   "drivers": [{"body": 2, "omega": "-120 rpm"}],
   "find": ["instant centres", "velocity", "acceleration"]
 })");
-    EXPECT_EQ(m.title.it, "Quadrilatero articolato");
+    EXPECT_EQ(m.title.in(Language::it), "Quadrilatero articolato");
     EXPECT_EQ(m.source, "test.json");
     ASSERT_EQ(m.points.size(), 4U);
     EXPECT_EQ(m.points[1].where, "/points/A");
@@ -210,7 +211,7 @@ TEST(Reader, FrameMayHaveAnEntryAnywhere) {
         "bodies": ["ground", "crank"]}]})");
     ASSERT_EQ(m.bodies.size(), 2U);
     EXPECT_EQ(m.bodies[0].name, "ground");
-    EXPECT_EQ(m.bodies[0].label.it, "base");
+    EXPECT_EQ(m.bodies[0].label.in(Language::it), "base");
     EXPECT_EQ(m.bodies[0].points, (std::vector{PointIndex(1), PointIndex(0)}));
     EXPECT_EQ(m.bodies[0].where, "/bodies/ground");
 }
@@ -325,9 +326,9 @@ TEST(Reader, WishesAndScales) {
 }
 
 TEST(Reader, TextsServeWhereALanguageIsMissing) {
-    EXPECT_EQ(read(with(R"("title": "Crank")")).title.it, "Crank");
-    EXPECT_EQ(read(with(R"("title": {"en": "Crank"})")).title.it, "Crank");
-    EXPECT_EQ(read(with(R"("title": {"it": "Manovella"})")).title.en, "Manovella");
+    EXPECT_EQ(read(with(R"("title": "Crank")")).title.in(Language::it), "Crank");
+    EXPECT_EQ(read(with(R"("title": {"en": "Crank"})")).title.in(Language::it), "Crank");
+    EXPECT_EQ(read(with(R"("title": {"it": "Manovella"})")).title.in(Language::en), "Manovella");
 }
 
 TEST(Reader, FaultsComeInTheFilesOrder) {
@@ -418,9 +419,10 @@ TEST(JsonSource, RefusesANulWhereverItStands) {
         const auto source = JsonSource::read(text);
         ASSERT_FALSE(source);
         const Words& said = source.error()[0].message;
-        EXPECT_TRUE(said.en.starts_with("line 2, column ") && said.en.ends_with(": this is not JSON: a NUL byte"))
-            << said.en;
-        EXPECT_TRUE(said.it.ends_with(": non è JSON: un byte NUL")) << said.it;
+        EXPECT_TRUE(said.in(Language::en).starts_with("line 2, column ") &&
+                    said.in(Language::en).ends_with(": this is not JSON: a NUL byte"))
+            << said.in(Language::en);
+        EXPECT_TRUE(said.in(Language::it).ends_with(": non è JSON: un byte NUL")) << said.in(Language::it);
     }
     EXPECT_FALSE(JsonSource::read("[1,\0 2]"s));
     EXPECT_FALSE(JsonSource::read("[\"a\0b\"]"s));
@@ -429,7 +431,7 @@ TEST(JsonSource, RefusesANulWhereverItStands) {
 TEST(JsonSource, TellsTheLineEvenBehindHugeNumbers) {
     const auto source = JsonSource::read("[1e400,\n -" + std::string(350, '1') + ".0,\n  x]");
     ASSERT_FALSE(source);
-    EXPECT_EQ(source.error()[0].message.en.substr(0, 18), "line 3, column 3: ");
+    EXPECT_EQ(source.error()[0].message.in(Language::en).substr(0, 18), "line 3, column 3: ");
 }
 
 }  // namespace

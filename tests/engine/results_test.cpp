@@ -8,6 +8,8 @@
 #include <string>
 
 #include "engine/solution/solution.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/told.hpp"
 
 namespace kinegraph::results_test {
@@ -59,7 +61,7 @@ TEST(Results, AreWrittenAsTheFormatSays) {
     everywhere.everywhere = true;
     solution.centres = {finite, far, everywhere};
     solution.checks = {{{.kind = Quantity::Kind::omega, .body = BodyIndex(1)}, -0.5, -0.5, -0.0}};
-    solution.unsolved = {{{Sentence::motion_of_body, {BodyName{"\"3\""}}}, {Sentence::stands_still, {}}}};
+    solution.unsolved = {{{lang::phrases::motion_of_body, {BodyName{"\"3\""}}}, {lang::phrases::stands_still, {}}}};
     EXPECT_EQ(results_json(solution, false, english), R"({
   "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
   "points": {
@@ -143,7 +145,7 @@ TEST(Results, NoNumberIsNoJson) {
 TEST(Results, NamesAreEscaped) {
     Solution solution = sample();
     solution.mechanism.points[0].name = "O\"\\\n\xe2\x82\x82";
-    solution.remarks = {{Sentence::lift_off, {PointName{"a\ttab"}}}};
+    solution.remarks = {{lang::sentences::lift_off, {PointName{"a\ttab"}}}};
     const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["points"].contains("O\"\\\n\xe2\x82\x82"));
     EXPECT_EQ(json["remarks"][0], "The contact at a\ttab would have to pull: there the bodies lift off.");

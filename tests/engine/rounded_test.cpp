@@ -12,6 +12,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
@@ -28,7 +29,7 @@ TEST(Rounded, EveryExampleIsTheSameInSixteenDigits) {
         SCOPED_TRACE(name);
         const Solution& as_given = example(name);
         const auto now = solve(tests::turned(as_given.mechanism, as_given.pose, 16));
-        ASSERT_TRUE(now) << now.error().front().message.en;
+        ASSERT_TRUE(now) << now.error().front().message.in(Language::en);
         EXPECT_TRUE(now->pose.is_rounded());
         tests::expect_same_but_turned(as_given, *now, 1e-9);
     }
@@ -42,7 +43,7 @@ void hold(const std::string& text) {
         Mechanism mechanism = tests::turned(as_given.mechanism, as_given.pose, digits);
         if (digits == 5) mechanism.precision = tests::precision_of(mechanism, digits);
         const auto now = solve(std::move(mechanism));
-        ASSERT_TRUE(now) << now.error().front().message.en;
+        ASSERT_TRUE(now) << now.error().front().message.in(Language::en);
         tests::expect_same_but_turned(as_given, *now, digits == 5 ? 1e-3 : 1e-9, digits == 5);
     }
     const auto bare = solve(tests::turned(as_given.mechanism, as_given.pose, 5));
@@ -171,7 +172,7 @@ TEST(Rounded, EveryExampleIsTheSameInFiveDigitsWithTheirPrecision) {
         Mechanism mechanism = tests::turned(as_given.mechanism, as_given.pose, 5);
         mechanism.precision = tests::precision_of(mechanism, 5);
         const auto now = solve(std::move(mechanism));
-        ASSERT_TRUE(now) << now.error().front().message.en;
+        ASSERT_TRUE(now) << now.error().front().message.in(Language::en);
         tests::expect_same_but_turned(as_given, *now, 1e-3);
     }
 }
@@ -212,7 +213,7 @@ std::string dead_point(const std::string& more = "") {
                     "[140.3452713022275, 53.88139589045699]", more);
 }
 
-bool says(const std::vector<Message>& remarks, Sentence sentence) {
+bool says(const std::vector<Message>& remarks, Key sentence) {
     return std::any_of(remarks.begin(), remarks.end(), [&](const Message& each) { return each.sentence == sentence; });
 }
 
@@ -220,25 +221,25 @@ TEST(Rounded, ADeadPointInSixteenDigitsIsOne) {
     const Solution solution = tests::solved(dead_point());
     EXPECT_FALSE(solution.unsolved.empty());
     EXPECT_TRUE(solution.mobility.decided_by_precision);
-    EXPECT_TRUE(says(solution.remarks, Sentence::taken_as_rounded));
+    EXPECT_TRUE(says(solution.remarks, lang::sentences::taken_as_rounded));
 }
 
 TEST(Rounded, TakenAtItsWordItExplodesAndSaysWhy) {
     const Solution solution = tests::solved(dead_point(R"(, "precision": 0)"));
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_GT(tests::excess_over_drivers(solution), 1e12);
-    EXPECT_TRUE(says(solution.remarks, Sentence::nearly_on_line));
+    EXPECT_TRUE(says(solution.remarks, lang::sentences::nearly_on_line));
 }
 
 TEST(Rounded, ANearMissIsMeasured) {
     const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.02]", "[190, 40]"));
-    ASSERT_TRUE(says(solution.remarks, Sentence::nearly_on_line));
+    ASSERT_TRUE(says(solution.remarks, lang::sentences::nearly_on_line));
     for (const Message& remark : solution.remarks) {
-        if (remark.sentence != Sentence::nearly_on_line) continue;
+        if (remark.sentence != lang::sentences::nearly_on_line) continue;
         EXPECT_NEAR(std::get<Amount>(remark.arguments.at(2)).value, 0.02, 1e-9);
         EXPECT_EQ(std::get<PointName>(remark.arguments.at(0)).name, "B");
     }
-    EXPECT_TRUE(says(solution.remarks, Sentence::is_ill_conditioned));
+    EXPECT_TRUE(says(solution.remarks, lang::sentences::is_ill_conditioned));
     const Solution far = tests::solved(four_bar("[30, 40]", "[110, 60]", "[190, 40]"));
     EXPECT_TRUE(far.remarks.empty()) << english(far.remarks.front());
 }
@@ -250,10 +251,10 @@ TEST(Rounded, WhatTheLastDigitDoesIsTold) {
         return *tests::solved(four_bar("[30, 40]", b, "[190, 40]")).bodies.at(3).omega;
     };
     const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.05]", "[190, 40]"));
-    ASSERT_TRUE(says(solution.remarks, Sentence::is_ill_conditioned));
+    ASSERT_TRUE(says(solution.remarks, lang::sentences::is_ill_conditioned));
     const double now = solution.bodies.at(3).omega->to_double(), moved = omega_of("[110, 40.0501]").to_double();
     for (const Message& remark : solution.remarks) {
-        if (remark.sentence != Sentence::is_ill_conditioned) continue;
+        if (remark.sentence != lang::sentences::is_ill_conditioned) continue;
         const double percent = std::get<Amount>(remark.arguments.at(1)).value,
                      by = std::get<Amount>(remark.arguments.at(3)).value;
         EXPECT_NEAR(percent / by, 100 * std::abs(moved / now - 1) / 0.0001, 0.05 * percent / by);
@@ -263,7 +264,7 @@ TEST(Rounded, WhatTheLastDigitDoesIsTold) {
 /// With data of more digits the change is below every digit that is printed: the remark would say "changes by 1e-16 %".
 TEST(Rounded, WhatNoDigitShowsIsNotTold) {
     const auto is_told = [](const char* b) {
-        return says(tests::solved(four_bar("[30, 40]", b, "[190, 40]")).remarks, Sentence::is_ill_conditioned);
+        return says(tests::solved(four_bar("[30, 40]", b, "[190, 40]")).remarks, lang::sentences::is_ill_conditioned);
     };
     EXPECT_TRUE(is_told("[110, 40.05]"));
     for (const char* b : {"[110, 40.0500000001]", "[110, 40.050000000001]", "[110, 40.0500000000000000001]"})

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/solution/solution.hpp"
+#include "lang/keys/sentences.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
@@ -246,7 +247,7 @@ TEST(Trusses, TheRollerMayBeABodyInAGuide) {
     EXPECT_FALSE(simple_on_roller_body("C").truss);
 }
 
-bool says(const Solution& solution, Sentence sentence) {
+bool says(const Solution& solution, Key sentence) {
     return std::any_of(solution.protocol.statements.begin(), solution.protocol.statements.end(),
                        [&](const Statement& statement) { return statement.message.sentence == sentence; });
 }
@@ -322,7 +323,7 @@ TEST(Trusses, WherePinsLeadNowhereACutLeadsOn) {
     const std::string text = fan_text();
     const Solution solution = solved(text);
     expect_as_linear_solve(solution, text);
-    EXPECT_TRUE(says(solution, Sentence::truss_stuck));
+    EXPECT_TRUE(says(solution, lang::sentences::truss_stuck));
     EXPECT_FALSE(solution.truss->cuts.empty());
     EXPECT_TRUE(solution.remarks.empty());
 }
@@ -341,7 +342,7 @@ TEST(Trusses, WhereNoCutLeadsOnTheReasonIsSaidAndTheForcesAreFound) {
     const Solution solution = solved(text);
     expect_as_linear_solve(solution, text);
     ASSERT_FALSE(solution.remarks.empty());
-    EXPECT_EQ(solution.remarks.front().sentence, Sentence::truss_without_order);
+    EXPECT_EQ(solution.remarks.front().sentence, lang::sentences::truss_without_order);
 }
 
 TEST(Trusses, ACantileverOnTwoHingesIsResolvedFromItsTip) {
@@ -364,7 +365,7 @@ std::string fault_of(const std::string& cut) {
     const std::string old = R"(["BC", "CE", "EF"])";
     text.replace(text.find(old), old.size(), cut);
     const auto read = read_mechanism(text, "test.json");
-    return read ? "" : read.error().front().where + " " + read.error().front().message.en;
+    return read ? "" : read.error().front().where + " " + read.error().front().message.in(Language::en);
 }
 
 TEST(Cuts, ThatCannotBeMadeAreRefusedWithAPlaceAndARemedy) {
@@ -387,8 +388,8 @@ TEST(TheWholeFirst, AFrameOnPinAndRollerIsCutFreeAsOneBeforeItsBodies) {
                  "bodies": [3, 4]}],
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]}]})");
     EXPECT_FALSE(solution.truss);
-    EXPECT_TRUE(says(solution, Sentence::structure_whole));
-    EXPECT_FALSE(says(solution, Sentence::trial));
+    EXPECT_TRUE(says(solution, lang::sentences::structure_whole));
+    EXPECT_FALSE(says(solution, lang::sentences::trial));
     // B = 800 · 0.5/4 = 100 N; the tie holds 100 · 2/2.
     for (const JointForce& action : solution.forces) {
         ASSERT_TRUE(action.force);

@@ -11,19 +11,21 @@ using kinegraph::QuantityKind;
 namespace units_test {
 namespace {
 
+using kinegraph::Language;
+
 Exact exact(std::string_view decimal) { return *Exact::from_decimal(decimal); }
 
 /// In SI; the text must be a quantity.
 Exact si(std::string_view text) {
     const auto quantity = kinegraph::read_quantity(text, QuantityKind::length);
-    EXPECT_TRUE(quantity) << text << ": " << quantity.error().en;
+    EXPECT_TRUE(quantity) << text << ": " << quantity.error().in(Language::en);
     return quantity ? quantity->in_si() : Exact();
 }
 
 std::string refusal(std::string_view text, QuantityKind wanted = QuantityKind::length) {
     const auto quantity = kinegraph::read_quantity(text, wanted);
     EXPECT_FALSE(quantity) << text;
-    return quantity ? "" : quantity.error().en;
+    return quantity ? "" : quantity.error().in(Language::en);
 }
 
 TEST(Units, LengthsAreExact) {

@@ -20,6 +20,8 @@
 namespace agreement_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using kinegraph::tests::contents;
 using kinegraph::tests::fonts;
@@ -97,7 +99,7 @@ protected:
         ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && " + command + " 2>said >/dev/null").c_str()), 0)
             << what << ": " << contents(folder_ / "said");
         const auto theirs = decode_png(contents(folder_ / "page.png"));
-        ASSERT_TRUE(theirs) << what << ": " << theirs.error().en;
+        ASSERT_TRUE(theirs) << what << ": " << theirs.error().in(Language::en);
         const Picture ours = decode_png(to_png(page, fonts(), dpi)).value();
         const double share = share_far_off(ours, window ? cut(*theirs, ours.width, ours.height) : *theirs);
         EXPECT_LE(share, may_differ) << what;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "engine/number/index.hpp"
+#include "lang/keys/sentences.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/picture_difference.hpp"
 #include "render/content/title_block.hpp"
@@ -162,7 +164,7 @@ std::map<std::string, StatementIndex> used_by(const Solution& solution, Statemen
                     used.emplace(name_of(applied.symbol), applied.force_statement);
     const Message& said = solution.protocol.statements[at_index(statement)].message;
     const auto found = found_by(solution);
-    if (said.sentence == Sentence::known_resultant)
+    if (said.sentence == lang::sentences::known_resultant)
         for (const Symbol& symbol : std::get<Symbols>(said.arguments[1]))
             if (const auto finding = found.find(name_of(symbol)); finding != found.end()) used.insert(*finding);
     return used;
@@ -274,7 +276,7 @@ TEST(Bands, ThatGoOnSayWhereTheirFiguresStand) {
             EXPECT_LE(std::stoi(text->words.substr(at + 8)), static_cast<int>(p)) << text->words;
         }
     EXPECT_GE(told, 2);
-    EXPECT_EQ(word("on sheet", Language::it), "foglio");
+    EXPECT_EQ(word(lang::sheet::on_sheet, Language::it), "foglio");
 }
 
 /// A sentence that speaks of all bodies but two was higher than any page, of 82.

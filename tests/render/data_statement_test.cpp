@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "lang/keys/sentences.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/sheet.hpp"
@@ -124,7 +125,7 @@ TEST_P(DataStatement, StandsOnEverySentence) {
     ASSERT_FALSE(said.empty());
     for (const auto& [statement, words] : said) {
         // What the list of centres says as well stands there alone.
-        if (message_of(solution, statement).sentence == Sentence::kennedy) continue;
+        if (message_of(solution, statement).sentence == lang::sentences::kennedy) continue;
         const std::string sentence = plain(say(message_of(solution, statement), Language::en));
         EXPECT_TRUE(words.find(sentence.substr(0, 20)) != std::string::npos ||
                     solution.protocol.statements[at_index(statement)].section == Topic::centres)
@@ -180,8 +181,8 @@ TEST(DataStatement, NamesTheStatementsOfTheForcesOfTheGate) {
     // Each side of a body's triangle is of the sentence that closes it.
     for (const Element& each : figure(solution, "forces").elements) {
         if (!each.is("vector")) continue;
-        const Sentence sentence = message_of(solution, each.statement).sentence;
-        EXPECT_TRUE(sentence == Sentence::triangle_at || sentence == Sentence::triangle) << each.name();
+        const Key sentence = message_of(solution, each.statement).sentence;
+        EXPECT_TRUE(sentence == lang::sentences::triangle_at || sentence == lang::sentences::triangle) << each.name();
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/sentences/column.hpp"
+#include "lang/keys/sentences.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/page/labels.hpp"
@@ -127,14 +128,14 @@ const char* const planet_between_two = R"({"kinegraph": 1, "frame": 1, "units": 
 
 /// A vector of motion that a sentence argues with is drawn by then, unless the sentence says itself what it is.
 void expect_vectors_drawn(const Solution& solution) {
-    constexpr std::array introducing{Sentence::slide_velocity,
-                                     Sentence::slide_acceleration,
-                                     Sentence::slide_acceleration_without_coriolis,
-                                     Sentence::slide_velocity_on_rest,
-                                     Sentence::slide_acceleration_on_rest,
-                                     Sentence::rolling_point_at_rest,
-                                     Sentence::observer_velocity,
-                                     Sentence::observer_acceleration};
+    constexpr std::array introducing{lang::sentences::slide_velocity,
+                                     lang::sentences::slide_acceleration,
+                                     lang::sentences::slide_acceleration_without_coriolis,
+                                     lang::sentences::slide_velocity_on_rest,
+                                     lang::sentences::slide_acceleration_on_rest,
+                                     lang::sentences::rolling_point_at_rest,
+                                     lang::sentences::observer_velocity,
+                                     lang::sentences::observer_acceleration};
     for (const StatementIndex index : indices_of(solution.protocol.statements)) {
         const Statement& statement = solution.protocol.statements[at_index(index)];
         const bool of_motion = statement.section == Topic::velocity || statement.section == Topic::acceleration;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "lang/keys/sentences.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/sheet.hpp"
@@ -338,11 +339,11 @@ TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
     int resultants = 0, moved = 0;
     for (std::size_t i = 0; i < statements.size(); ++i) {
         const Message& said = statements[i].message;
-        if (said.sentence == Sentence::known_resultant) {
+        if (said.sentence == lang::sentences::known_resultant) {
             ++resultants;
             EXPECT_FALSE(is_incidental(statements, i)) << "the next sentence moves it";
         }
-        if (said.sentence == Sentence::inertia_moved && statements[i].bodies.size() > 1) {
+        if (said.sentence == lang::sentences::inertia_moved && statements[i].bodies.size() > 1) {
             ++moved;
             EXPECT_EQ(name_of(said.worked_arithmetic.front().of), "d");
             // Both factors as they are told before, N m and N: the quotient is in m, then in the file's unit.
@@ -351,7 +352,7 @@ TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
             EXPECT_NEAR(in_metres.factors.at(0).value, 21.36, 0.01);
             EXPECT_NEAR(in_own_unit.result.value, 24.9, 0.05);
         }
-        EXPECT_NE(said.sentence, Sentence::triangle_at) << "a meet that no sheet has";
+        EXPECT_NE(said.sentence, lang::sentences::triangle_at) << "a meet that no sheet has";
     }
     EXPECT_EQ(resultants, 1);
     EXPECT_EQ(moved, 1);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/keys/sentences.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/tables/answers.hpp"
 #include "tests/support/command_line.hpp"
@@ -105,7 +106,7 @@ TEST(Brief, TellsEveryAnswerOnceAndRepeatsNoSentence) {
     // Of all that is found by ω = v/l one sentence is told, with the values of the others behind it.
     std::size_t sentences = 0;
     for (const Statement& statement : solution.protocol.statements)
-        sentences += statement.message.sentence == Sentence::omega_from_pair ? 1 : 0;
+        sentences += statement.message.sentence == lang::sentences::omega_from_pair ? 1 : 0;
     ASSERT_GT(sentences, 1U);
     const std::string words = words_of(pages);
     for (const render::Answer& answer : answers_of({solution, SheetOptions{}.theme, fonts()}, {}, false))

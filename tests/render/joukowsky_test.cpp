@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
@@ -100,7 +101,7 @@ TEST_P(Lever, FitsItsRoomAndItsTableSaysThatTheSumIsZero) {
                 EXPECT_EQ(text->words, "0");
                 break;
             }
-            after_sum = text->words == word("sum", language);
+            after_sum = text->words == word(lang::sheet::sum, language);
         }
         EXPECT_TRUE(after_sum);
     }

@@ -35,8 +35,8 @@ TEST(SheetLimits, RefuseHundredsOfPages) {
     EXPECT_FALSE(render::beyond_sheet(chain(5)));
     const auto beyond = render::beyond_sheet(chain(80));
     ASSERT_TRUE(beyond);
-    EXPECT_NE(beyond->en.find("2000"), std::string::npos) << beyond->en;
-    EXPECT_NE(beyond->en.find("\"find\""), std::string::npos) << beyond->en;
+    EXPECT_NE(beyond->in(Language::en).find("2000"), std::string::npos) << beyond->in(Language::en);
+    EXPECT_NE(beyond->in(Language::en).find("\"find\""), std::string::npos) << beyond->in(Language::en);
 }
 
 TEST(LiveLimits, AMechanismOfManyDriversStandsStill) {

@@ -21,6 +21,8 @@
 namespace live_text_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using namespace kinegraph::pages;
 namespace tests = kinegraph::tests;

@@ -11,6 +11,8 @@
 namespace picture_difference_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using Verdict = PictureDifference::Verdict;
 
@@ -198,7 +200,8 @@ TEST(Picture, HostileFilesAreRefused) {
     ASSERT_FALSE(wide);
     const auto large = decode_png(promising(60'000, 60'000));
     ASSERT_FALSE(large);
-    EXPECT_NE(large.error().en.find("60000 × 60000"), std::string::npos) << large.error().en;
+    EXPECT_NE(large.error().in(Language::en).find("60000 × 60000"), std::string::npos)
+        << large.error().in(Language::en);
     EXPECT_FALSE(decode_png(promising(5000, 5000)));
     EXPECT_FALSE(decode_png(promising(0, 0)));
 }

@@ -13,6 +13,8 @@
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/results/result_names.hpp"
+#include "lang/keys/data.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"
@@ -160,7 +162,7 @@ TEST(Data, NamesEveryJoint) {
             const Theme theme;
             std::string said;
             for (const RichText& each : data_of({solution, theme, fonts(), language}))
-                if (!has(plain(each), word("data coordinates", language).substr(0, 8))) said += plain(each) + "\n";
+                if (!has(plain(each), word(lang::data::coordinates, language).substr(0, 8))) said += plain(each) + "\n";
             EXPECT_FALSE(has(said, "{")) << name << ": " << said;
             for (const Joint& joint : solution.mechanism.joints) {
                 const std::string& point = solution.mechanism.point(joint.point).name;
@@ -417,9 +419,9 @@ TEST(Scales, NameTheDetailsThatAnswersAreReadIn) {
 TEST(Scales, OfATrussSayOfWhichDiagramTheyAre) {
     for (const Language language : {Language::en, Language::it}) {
         const std::string scales = scales_in(example("truss_roof_wind"), language);
-        EXPECT_TRUE(has(scales, word("cremona", language) + ": ")) << scales;
-        EXPECT_TRUE(has(scales, word("force polygon", language) + ": ")) << scales;
-        EXPECT_FALSE(has(scales, word("sought forces scale", language) + ": ")) << scales;
+        EXPECT_TRUE(has(scales, word(lang::sheet::cremona, language) + ": ")) << scales;
+        EXPECT_TRUE(has(scales, word(lang::sheet::force_polygon, language) + ": ")) << scales;
+        EXPECT_FALSE(has(scales, word(lang::sheet::sought_forces_scale, language) + ": ")) << scales;
     }
 }
 
@@ -585,7 +587,7 @@ TEST(Key, SaysWhatNoReadingTellsFromZero) {
     const Solution solution = tests::solved(drag_link);
     for (const Language language : {Language::en, Language::it}) {
         const SheetOptions options = of_kind(SheetKind::answers, language);
-        const Key key = lay_out_key_of(solution, {}, options, fonts());
+        const LaidOutKey key = lay_out_key_of(solution, {}, options, fonts());
         ASSERT_EQ(key.remarks.size(), 1U);
         const std::string expected =
             language == Language::it ? "una lettura non dice nulla di M_m:" : "a reading says nothing of M_m:";

@@ -33,9 +33,9 @@ using tests::fonts;
 /// A mechanism file under random loads.
 std::string loaded(const std::string& text, std::uint64_t seed, int efforts) {
     const auto bare = read_mechanism(text, "bare");
-    if (!bare) throw std::runtime_error(bare.error().front().message.en);
+    if (!bare) throw std::runtime_error(bare.error().front().message.in(Language::en));
     const auto pose = draw_pose(*bare);
-    if (!pose) throw std::runtime_error(pose.error().front().message.en);
+    if (!pose) throw std::runtime_error(pose.error().front().message.in(Language::en));
     return under_random_loads(text, *bare, *pose, seed, efforts);
 }
 

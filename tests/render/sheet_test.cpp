@@ -116,8 +116,8 @@ TEST(Sheet, WithoutMotionThereIsStillADrawing) {
 
 TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
     Solution solution = example("four_bar");
-    solution.mechanism.title.en =
-        "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
+    solution.mechanism.title = std::string(
+        "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on");
     const auto pages = lay_out(solution, {}, fonts());
     ASSERT_TRUE(says(pages, "A linkage"));
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
@@ -126,9 +126,10 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
 /// A search for line breaks that tries them all once took minutes; the time limit of the suite sees it.
 TEST(Sheet, ATitleOfAMegabyteStaysTheTitle) {
     Solution solution = example("four_bar");
-    solution.mechanism.title.en.clear();
-    for (int i = 0; i < 200000; ++i) solution.mechanism.title.en += "Wort ";
-    EXPECT_EQ(lay_out(solution, {}, fonts()).front().title, solution.mechanism.title.en);
+    std::string title;
+    for (int i = 0; i < 200000; ++i) title += "Wort ";
+    solution.mechanism.title = title;
+    EXPECT_EQ(lay_out(solution, {}, fonts()).front().title, solution.mechanism.title.in(Language::en));
 }
 
 TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
@@ -138,7 +139,7 @@ TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
     for (const std::string& title : {words, one_word})
         for (const Orientation orientation : {Orientation::landscape, Orientation::portrait}) {
             SCOPED_TRACE(title);
-            solution.mechanism.title.en = title;
+            solution.mechanism.title = title;
             SheetOptions options;
             options.orientation = orientation;
             options.author = one_word;
@@ -206,7 +207,7 @@ TEST(Sheet, LongNamesPushNothingAside) {
                        {"revolute": "O4", "bodies": ["the foundation", "rocking lever"]}],
             "drivers": [{"body": "driving crank", "omega": 5}]})",
         "long.json");
-    ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message.in(Language::en);
     auto solution = solve(std::move(*mechanism));
     ASSERT_TRUE(solution);
     for (const Paper paper : {Paper::a4, Paper::a3})
@@ -236,7 +237,7 @@ std::string chain_of(int dyads) {
 
 TEST(Sheet, ALongChainGoesOnOverItsPages) {
     auto mechanism = read_mechanism(chain_of(5), "chain.json");
-    ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message.in(Language::en);
     const auto solution = solve(std::move(*mechanism));
     ASSERT_TRUE(solution);
     for (const Orientation orientation : {Orientation::landscape, Orientation::portrait})

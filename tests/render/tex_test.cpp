@@ -18,6 +18,8 @@
 namespace tex_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using namespace kinegraph::pages;
 namespace tests = kinegraph::tests;

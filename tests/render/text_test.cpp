@@ -14,6 +14,8 @@
 namespace text_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using kinegraph::tests::fonts;
 
@@ -298,8 +300,8 @@ TEST(Opening, NamesTheFileAndThePackage) {
     const auto none = Fonts::open();
     ::unsetenv("KINEGRAPH_FONT_DIR");
     ASSERT_FALSE(none.has_value());
-    EXPECT_NE(none.error().en.find("/nowhere/STIXGeneral-Regular.otf"), std::string::npos);
-    EXPECT_NE(none.error().en.find("fonts-stix"), std::string::npos);
+    EXPECT_NE(none.error().in(Language::en).find("/nowhere/STIXGeneral-Regular.otf"), std::string::npos);
+    EXPECT_NE(none.error().in(Language::en).find("fonts-stix"), std::string::npos);
 }
 
 }  // namespace

@@ -24,6 +24,8 @@
 namespace theme_test {
 namespace {
 
+using kinegraph::Language;
+
 using namespace kinegraph::render;
 using namespace kinegraph::tests;
 
@@ -300,7 +302,8 @@ TEST(ThemeFile, TellsEveryFaultWithItsPlace) {
         const auto read = read_theme(text);
         ASSERT_FALSE(read) << text;
         std::vector<std::string> lines;
-        for (const kinegraph::Error& error : read.error()) lines.push_back(error.where + ": " + error.message.en);
+        for (const kinegraph::Error& error : read.error())
+            lines.push_back(error.where + ": " + error.message.in(Language::en));
         EXPECT_EQ(lines, said) << text;
     }
     EXPECT_FALSE(read_theme(""));

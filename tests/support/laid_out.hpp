@@ -13,7 +13,7 @@ namespace kinegraph::tests {
 
 /// The options of a sheet that the tests of all examples vary.
 struct Look {
-    render::Language language = render::Language::en;
+    Language language = Language::en;
     render::Paper paper = render::Paper::a4;
     render::Orientation orientation = render::Orientation::landscape;
     render::SolutionDetail detail = render::SolutionDetail::full;

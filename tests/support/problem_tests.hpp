@@ -30,7 +30,7 @@ inline void expect_near_check(const ProblemSolution& found, double share, Agains
     for (const ProblemValue& each : found.values) largest = std::max(largest, std::abs(each.value));
     for (const ProblemValue& each : found.values)
         EXPECT_NEAR(each.value, *each.numeric, share * (against == Against::itself ? std::abs(each.value) : largest))
-            << each.name.en;
+            << each.name.in(Language::en);
 }
 
 }  // namespace kinegraph::tests

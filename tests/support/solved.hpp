@@ -15,7 +15,8 @@ namespace kinegraph::tests {
 /// The solution of a mechanism file's text.
 inline Solution solved(const std::string& text, const std::string& name = "test.json") {
     const auto fails = [&](const Errors& errors) {
-        return std::runtime_error(name + ": " + errors.front().where + ": " + errors.front().message.en + "\n" + text);
+        return std::runtime_error(name + ": " + errors.front().where + ": " + errors.front().message.in(Language::en) +
+                                  "\n" + text);
     };
     auto mechanism = read_mechanism(text, name);
     if (!mechanism) throw fails(mechanism.error());

@@ -59,7 +59,8 @@ void through_exercise(const Solution& solution) {
     const auto results = results_for(exercise, solution);
     const auto expect_words = [](const Errors& errors) {
         for (const Error& error : errors)
-            expect(!error.message.en.empty() && !error.message.it.empty(), "a fault has words in both languages");
+            expect(!error.message.in(Language::en).empty() && !error.message.in(Language::it).empty(),
+                   "a fault has words in both languages");
     };
     if (const auto asked = asked_of_results(solution, results); !asked) expect_words(asked.error());
     for (const Condition& each : exercise.require) {
@@ -77,7 +78,8 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     auto mechanism = read_mechanism(text, "fuzz.json");
     if (!mechanism) {
         for (const Error& error : mechanism.error())
-            expect(!error.message.en.empty() && !error.message.it.empty(), "a fault has words in both languages");
+            expect(!error.message.in(Language::en).empty() && !error.message.in(Language::it).empty(),
+                   "a fault has words in both languages");
         return far;
     }
     far.read = true;

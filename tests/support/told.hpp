@@ -8,7 +8,7 @@
 
 namespace kinegraph {
 
-inline std::string english(const Message& message) { return render::tell(message, render::Language::en); }
+inline std::string english(const Message& message) { return render::tell(message, Language::en); }
 inline std::string english_of(const Unsolved& unsolved) {
     return english(unsolved.what) + ": " + english(unsolved.why);
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/keys/sentences.hpp"
 #include "tests/support/told.hpp"
 
 namespace kinegraph::tests {
@@ -95,7 +96,7 @@ std::vector<std::string> sentences_of(const Solution& solution) {
     for (const Statement& statement : solution.protocol.statements) {
         Message said = statement.message;
         constexpr std::size_t without_its_place = 4;  // the place differs in another drawing
-        if (said.sentence == Sentence::auxiliary_point)
+        if (said.sentence == lang::sentences::auxiliary_point)
             said.arguments.resize(std::min(said.arguments.size(), without_its_place));
         all.push_back(english(said));
     }
@@ -110,9 +111,9 @@ std::vector<std::string> unsolved_of(const Solution& solution) {
 std::vector<std::string> verdicts_of(const Solution& solution) {
     std::vector<std::string> all;
     for (Message remark : solution.remarks) {
-        if (remark.sentence < Sentence::repeated_constraints) continue;
+        if (remark.sentence.index < lang::sentences::repeated_constraints.index) continue;
         // It says what one unit of the last digit does, and is not said where no printed digit shows that.
-        if (remark.sentence == Sentence::is_ill_conditioned) continue;
+        if (remark.sentence == lang::sentences::is_ill_conditioned) continue;
         for (Argument& argument : remark.arguments)
             if (auto* ratios = std::get_if<Ratios>(&argument))
                 for (Ratio& ratio : *ratios) ratio.value = ratio.value == 0 ? 0 : 1;

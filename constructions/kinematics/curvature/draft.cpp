@@ -54,8 +54,7 @@ std::string CurvatureDraft::name_of_centre(const std::string& point) const {
     return candidate;
 }
 
-StatementIndex CurvatureDraft::say(BodyIndex body, Sentence sentence, std::vector<Argument> arguments,
-                                   const char* source) {
+StatementIndex CurvatureDraft::say(BodyIndex body, Key sentence, std::vector<Argument> arguments, const char* source) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = Topic::curvature;

@@ -57,7 +57,7 @@ public:
     const std::string& name_of(PointIndex point) const { return mechanism.point(point).name; }
     Symbol omega(BodyIndex body) const { return spin_symbol<Plane::velocity>(structure.body_name(body)); }
     std::string free_name(const std::string& letter) const;
-    StatementIndex say(BodyIndex body, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
+    StatementIndex say(BodyIndex body, Key sentence, std::vector<Argument> arguments, const char* source = "");
 
     /// The points that a body carries in the file, in its order.
     std::vector<NodeIndex> paths_of(BodyIndex body) const;

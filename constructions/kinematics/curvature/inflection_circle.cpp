@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::curvature {
 
@@ -43,7 +44,7 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
     Curvature& result = state.result;
     const Symbol pole_symbol = draft_.symbol_of_pole(body);
     result.pole_statement =
-        draft_.say(body, Sentence::curvature_rays, {pole_symbol, ray_of(a), ray_of(b)}, "Aronhold–Kennedy");
+        draft_.say(body, lang::sentences::curvature_rays, {pole_symbol, ray_of(a), ray_of(b)}, "Aronhold–Kennedy");
     const Place pole = *board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
     draft_.set_pole(state, pole);
     for (const KnownPath* path : {&a, &b})
@@ -52,9 +53,9 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
 
     const Segment join{a.label, b.label};
     const bool both_far = a.centre_name.empty() && b.centre_name.empty();
-    result.tangent_statement = both_far ? draft_.say(body, Sentence::curvature_bobillier_at_infinity,
+    result.tangent_statement = both_far ? draft_.say(body, lang::sentences::curvature_bobillier_at_infinity,
                                                      {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
-                                        : draft_.say(body, Sentence::curvature_bobillier,
+                                        : draft_.say(body, lang::sentences::curvature_bobillier,
                                                      {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b),
                                                       PointName{draft_.free_name("Q")}},
                                                      "Bobillier");
@@ -83,9 +84,9 @@ void InflectionCircle::draw_inflection_pole(BodyIndex body, const KnownPath& a, 
     state.result.inflection_name = draft_.free_name("J");
     const PointName end{state.result.inflection_name};
     state.result.inflection_statement =
-        straight ? draft_.say(body, Sentence::curvature_inflection_straight,
+        straight ? draft_.say(body, lang::sentences::curvature_inflection_straight,
                               {draft_.symbol_of_pole(body), PointName{path.label}, end}, "Euler–Savary")
-                 : draft_.say(body, Sentence::curvature_inflection,
+                 : draft_.say(body, lang::sentences::curvature_inflection,
                               {draft_.symbol_of_pole(body), PointName{path.label}, PointName{path.centre_name}, end},
                               "Euler–Savary");
     Place foot = path.place;
@@ -107,7 +108,7 @@ void InflectionCircle::by_acceleration(BodyIndex body) {
     const ScalarHandle one = board_.number(1), square = board_.product(omega, omega);
     const std::string& label = draft_.structure.node(base).label;
     state.result.pole_statement = draft_.say(
-        body, Sentence::curvature_pole,
+        body, lang::sentences::curvature_pole,
         {draft_.symbol_of_pole(body), PointName{label}, motion_symbol<Plane::velocity>(label), draft_.omega(body)},
         "Euler");
     const Place from = draft_.diagram.place(base);
@@ -121,7 +122,7 @@ void InflectionCircle::by_acceleration(BodyIndex body) {
     draft_.set_pole(state, pole);
     state.result.inflection_name = draft_.free_name("J");
     state.result.tangent_statement = state.result.inflection_statement = draft_.say(
-        body, Sentence::curvature_by_acceleration,
+        body, lang::sentences::curvature_by_acceleration,
         {draft_.symbol_of_pole(body), PointName{state.result.inflection_name}, draft_.omega(body)}, "Bresse");
     draft_.set_inflection_pole(
         state, board_.carry(pole, board_.scale<Plane::drawing>(board_.quotient(one, square), acceleration)));

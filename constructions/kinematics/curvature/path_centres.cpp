@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::curvature {
 namespace {
@@ -32,14 +33,14 @@ void PathCentres::draw_acceleration_pole(BodyIndex body) {
     result.acceleration_name = draft_.free_name("K");
     const Place pole = *state.pole, end = *state.inflection_pole;
     if (board_.is_zero(alpha)) {
-        result.bresse_statement = draft_.say(body, Sentence::curvature_bresse_uniform,
+        result.bresse_statement = draft_.say(body, lang::sentences::curvature_bresse_uniform,
                                              {PointName{result.inflection_name}, draft_.name(body)}, "Bresse");
         result.acceleration_name = result.inflection_name;
         result.acceleration_pole = Recorded<Vector>::at(end.element);
         return;
     }
     result.tangential_name = draft_.free_name("H");
-    result.bresse_statement = draft_.say(body, Sentence::curvature_bresse,
+    result.bresse_statement = draft_.say(body, lang::sentences::curvature_bresse,
                                          {PointName{result.acceleration_name}, draft_.symbol_of_pole(body),
                                           PointName{result.inflection_name}, PointName{result.tangential_name}},
                                          "Bresse");
@@ -67,10 +68,10 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     }
     const PointName here{path.label};
     if (board_.coincide(place, pole)) {
-        path.statement = draft_.say(body, Sentence::curvature_at_pole, {here});
+        path.statement = draft_.say(body, lang::sentences::curvature_at_pole, {here});
         return;
     }
-    path.statement = draft_.say(body, Sentence::curvature_hartmann,
+    path.statement = draft_.say(body, lang::sentences::curvature_hartmann,
                                 {here, PointName{path.name}, draft_.symbol_of_pole(body)}, "Hartmann");
     const Line ray = board_.join(pole, place);
     const auto foot =
@@ -78,7 +79,7 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
     path.foot = Recorded<ProjectivePoint>::at(foot->element);
     if (board_.coincide(*foot, place)) {
-        board_.statement(path.statement).message = {Sentence::curvature_straight, {here}};
+        board_.statement(path.statement).message = {lang::sentences::curvature_straight, {here}};
         board_.statement(path.statement).source = "Euler–Savary";
         path.centre = Recorded<ProjectivePoint>::at(board_.at_infinity(board_.direction(ray)).element);
         return;
@@ -102,7 +103,7 @@ void PathCentres::draw_envelopes(BodyIndex body) {
         const std::size_t before = state.result.envelopes.size();
         envelope.name = draft_.free_name(before == 0 ? "E" : "E" + std::to_string(before + 1));
         envelope.statement =
-            draft_.say(body, Sentence::curvature_envelope,
+            draft_.say(body, lang::sentences::curvature_envelope,
                        {reader_name(draft_.mechanism, joint), PointName{envelope.name}, draft_.symbol_of_pole(body)},
                        "Euler–Savary");
         const DirectionHandle along = joint.along ? board_.guide(index) : board_.tangent(index);

@@ -1,4 +1,5 @@
 #include "constructions/kinematics/curvature/simple_bodies.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <utility>
 
@@ -11,7 +12,7 @@ bool SimpleBodies::settle(BodyIndex body) {
     if (board_.is_zero(draft_.motion.velocity.spin(body))) {
         if (draft_.rests(base)) {
             state.result.kind = Kind::rest;
-            draft_.say(body, Sentence::curvature_rest, {draft_.name(body)});
+            draft_.say(body, lang::sentences::curvature_rest, {draft_.name(body)});
             for (const NodeIndex node : draft_.paths_of(body)) draft_.add_path(body, node).centre = {};
         } else {
             translate(body, base);
@@ -35,7 +36,7 @@ void SimpleBodies::turn_about(BodyIndex body, Place pole, Argument name_of_pole,
     state.result.inflection_centre = Recorded<Vector>::at(pole.element);
     state.result.acceleration_pole = Recorded<Vector>::at(pole.element);
     state.result.pole_statement =
-        draft_.say(body, Sentence::curvature_turning, {draft_.name(body), std::move(name_of_pole)});
+        draft_.say(body, lang::sentences::curvature_turning, {draft_.name(body), std::move(name_of_pole)});
     for (const NodeIndex node : draft_.paths_of(body)) {
         PathCentre& path = draft_.add_path(body, node);
         path.is_pin = true;
@@ -49,7 +50,7 @@ void SimpleBodies::turn_about(BodyIndex body, Place pole, Argument name_of_pole,
 void SimpleBodies::translate(BodyIndex body, NodeIndex base) {
     CurvatureDraft::State& state = draft_.of(body);
     state.result.kind = Kind::translation;
-    state.result.pole_statement = draft_.say(body, Sentence::curvature_translation, {draft_.name(body)});
+    state.result.pole_statement = draft_.say(body, lang::sentences::curvature_translation, {draft_.name(body)});
     const auto v = draft_.velocity(base);
     state.result.pole =
         Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v))).element);
@@ -63,12 +64,13 @@ void SimpleBodies::translate(BodyIndex body, NodeIndex base) {
             board_.is_zero(a_here) || board_.parallel(board_.direction(v_here), board_.direction(a_here));
         const PointName here{path.label};
         if (straight) {
-            path.statement = draft_.say(body, Sentence::curvature_by_normal_straight, {here});
+            path.statement = draft_.say(body, lang::sentences::curvature_by_normal_straight, {here});
             path.centre = Recorded<ProjectivePoint>::at(
                 board_.at_infinity(board_.perpendicular(board_.direction(v_here))).element);
             continue;
         }
-        path.statement = draft_.say(body, Sentence::curvature_by_normal, {here, PointName{path.name}}, "Huygens");
+        path.statement =
+            draft_.say(body, lang::sentences::curvature_by_normal, {here, PointName{path.name}}, "Huygens");
         const Arrow across = board_.turn(v_here);
         const ScalarHandle share = board_.quotient(board_.moment(v_here, board_.direction(across)),
                                                    board_.moment(v_here, board_.direction(a_here)));

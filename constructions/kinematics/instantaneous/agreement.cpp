@@ -1,6 +1,8 @@
 #include "constructions/kinematics/instantaneous/agreement.hpp"
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::act {
 
@@ -20,7 +22,7 @@ void Agreement<plane>::verify(State<plane>& state, std::size_t index) {
         if (!board_.is_zero(vector) && !board_.parallel(board_.direction(vector), board_.direction(given.vector)))
             return miss(state, given.node, state.base->node);
     }
-    act_.begin<plane>(Sentence::act_agrees, {act_.absolute<plane>(given.node)}, "Rivals");
+    act_.begin<plane>(lang::sentences::act_agrees, {act_.absolute<plane>(given.node)}, "Rivals");
     if (!state.track.has(given.node)) act_.set_tip(state, given.node, tip);
 }
 
@@ -32,7 +34,7 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
     if constexpr (is_velocity<plane>) {
         act_.result.figure.found = InstantaneousMotionFigure::Found::contradiction;
         act_.result.figure.points = {act_.node(first).point, act_.node(second).point};
-        const StatementIndex statement = act_.begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
+        const StatementIndex statement = act_.begin<plane>(lang::sentences::act_unequal_projections, {}, "Rivals");
         const auto from = act_.place(first), to = act_.place(second);
         const auto line = board_.join(from, to);
         const auto join = board_.vector(from, to);
@@ -55,31 +57,32 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
         board_.statement(statement).message.arguments = {segment, act_.absolute<plane>(first),
                                                          act_.absolute<plane>(second)};
         act_.unsolved(act_.sought<plane>(),
-                      {Sentence::unequal_projections, {segment, act_.name(first), act_.name(second)}});
+                      {lang::phrases::unequal_projections, {segment, act_.name(first), act_.name(second)}});
     } else {
-        act_.begin<plane>(Sentence::act_unequal_projections_acceleration,
+        act_.begin<plane>(lang::sentences::act_unequal_projections_acceleration,
                           {segment, act_.absolute<plane>(first), act_.absolute<plane>(second)}, "Rivals");
-        act_.unsolved(act_.sought<plane>(), {Sentence::unequal_normal_parts, {act_.name(first), act_.name(second)}});
+        act_.unsolved(act_.sought<plane>(),
+                      {lang::phrases::unequal_normal_parts, {act_.name(first), act_.name(second)}});
     }
 }
 
 template <Plane plane>
 void Agreement<plane>::miss(State<plane>& state, NodeIndex index, NodeIndex against) {
     state.contradicted = true;
-    act_.begin<plane>(Sentence::act_misses, {act_.absolute<plane>(index)}, "Rivals");
+    act_.begin<plane>(lang::sentences::act_misses, {act_.absolute<plane>(index)}, "Rivals");
     if constexpr (is_velocity<plane>) {
         act_.result.figure.found = InstantaneousMotionFigure::Found::contradiction;
         act_.result.figure.points = {act_.node(index).point};
     }
     const bool same_place = against != none && board_.coincide(act_.place(index), act_.place(against));
     if (same_place) {
-        act_.unsolved(act_.sought<plane>(), {is_velocity<plane> ? Sentence::two_velocities_at_one_place
-                                                                : Sentence::two_accelerations_at_one_place,
+        act_.unsolved(act_.sought<plane>(), {is_velocity<plane> ? lang::phrases::two_velocities_at_one_place
+                                                                : lang::phrases::two_accelerations_at_one_place,
                                              {act_.name(index), act_.name(against)}});
     } else {
-        act_.unsolved(
-            act_.sought<plane>(),
-            {is_velocity<plane> ? Sentence::velocity_misses : Sentence::acceleration_misses, {act_.name(index)}});
+        act_.unsolved(act_.sought<plane>(),
+                      {is_velocity<plane> ? lang::phrases::velocity_misses : lang::phrases::acceleration_misses,
+                       {act_.name(index)}});
     }
 }
 

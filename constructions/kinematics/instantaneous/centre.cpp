@@ -1,6 +1,7 @@
 #include "constructions/kinematics/instantaneous/centre.hpp"
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::act {
 
@@ -16,7 +17,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
         act_.result.figure.points.clear();
         act_.result.centre.everywhere = true;
         act_.result.centre.how = InstantCentre::How::velocities;
-        act_.begin<Plane::velocity>(Sentence::act_rest, {act_.body()});
+        act_.begin<Plane::velocity>(lang::sentences::act_rest, {act_.body()});
         return;
     }
     if (base_rests) return centre_at_rest(base.node);
@@ -25,7 +26,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     const auto v_second = board_.vector(pole, state.track.tip(second));
     if (still) {
         act_.begin_centre(
-            Sentence::act_translation,
+            lang::sentences::act_translation,
             {act_.body(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second)}, "Rivals");
         act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))),
                            InstantaneousMotionFigure::Found::translation, {base.node, second});
@@ -35,7 +36,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     const auto other = act_.place(second);
     if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
         // The body turns, so velocities ⟂ to the join are proportional to the distance from the centre.
-        const StatementIndex statement = act_.begin_centre(Sentence::act_tips, {}, "Euler–Chasles");
+        const StatementIndex statement = act_.begin_centre(lang::sentences::act_tips, {}, "Euler–Chasles");
         const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
             return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));
         };
@@ -48,7 +49,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
             Segment{base.label, act_.node(second).label}};
         return;
     }
-    const StatementIndex statement = act_.begin_centre(Sentence::act_perpendiculars, {}, "Euler–Chasles");
+    const StatementIndex statement = act_.begin_centre(lang::sentences::act_perpendiculars, {}, "Euler–Chasles");
     const auto perpendicular = [&](PointOn<Plane::drawing> at_place, VectorOn<Plane::velocity> velocity) {
         return board_.through(at_place, board_.perpendicular(board_.direction(velocity)));
     };
@@ -66,7 +67,7 @@ void Centre::locate_acceleration_centre(const State<Plane::acceleration>& state)
     if (board_.is_zero(whole)) return;
     act_.result.figure.acceleration_centre_name = act_.free_name("K");
     act_.result.figure.acceleration_centre_statement = act_.begin<Plane::acceleration>(
-        Sentence::act_acceleration_centre,
+        lang::sentences::act_acceleration_centre,
         {PointName{act_.result.figure.acceleration_centre_name}, PointName{state.base->label}}, "Burmester");
     const auto a = board_.vector(board_.pole<Plane::acceleration>(), state.base->tip);
     const auto along = board_.scale<Plane::drawing>(board_.quotient(square, whole), a);
@@ -77,7 +78,7 @@ void Centre::locate_acceleration_centre(const State<Plane::acceleration>& state)
 
 void Centre::centre_at_rest(NodeIndex index) {
     act_.settle_centre(act_.place(index), InstantaneousMotionFigure::Found::point_at_rest, {index});
-    act_.begin_centre(Sentence::act_point_at_rest, {act_.symbol_of_centre(), act_.name(index)}, "Euler–Chasles");
+    act_.begin_centre(lang::sentences::act_point_at_rest, {act_.symbol_of_centre(), act_.name(index)}, "Euler–Chasles");
 }
 
 }  // namespace kinegraph::act

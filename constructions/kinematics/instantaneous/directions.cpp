@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::act {
 
@@ -44,7 +45,7 @@ void Directions<plane>::take_second_direction(State<plane>& state, std::size_t i
         return;
     }
     if (is_velocity<plane>) return rest_by_lines(state, given.node);
-    act_.begin<plane>(Sentence::two_lines_acceleration,
+    act_.begin<plane>(lang::sentences::two_lines_acceleration,
                       {image_symbol<plane>(act_.node(given.node).label), act_.reason_of(*first), act_.reason_of(given)},
                       "Rivals");
     const auto shifted = board_.through(end, other);
@@ -58,7 +59,7 @@ void Directions<plane>::take_second_direction(State<plane>& state, std::size_t i
 
 template <Plane plane>
 void Directions<plane>::rest_by_lines(State<plane>& state, NodeIndex index) {
-    act_.begin<plane>(Sentence::act_rest_by_lines, {act_.body(), act_.name(index)});
+    act_.begin<plane>(lang::sentences::act_rest_by_lines, {act_.body(), act_.name(index)});
     act_.set_base(state, index, board_.pole<plane>());
     act_.set_tip(state, index, board_.pole<plane>());
     state.track.spins[at(act_.body_index)] = board_.number(0);
@@ -75,14 +76,14 @@ void Directions<plane>::auxiliary_place(State<plane>& state, const Given<plane>&
     if constexpr (is_velocity<plane>) {
         act_.settle_centre(met_at, InstantaneousMotionFigure::Found::perpendiculars, {first.node, second.node});
         if (act_.wishes.centre)
-            act_.begin_centre(Sentence::act_perpendiculars,
+            act_.begin_centre(lang::sentences::act_perpendiculars,
                               {act_.symbol_of_centre(), act_.name(first.node), act_.name(second.node)},
                               "Euler–Chasles");
         state.base = {none, {}, met_at, board_.pole<plane>()};
     } else {
         const std::string label = act_.free_name("S");
         const Symbol symbol{Symbol::Letter::point, label, {}};
-        act_.begin<plane>(Sentence::auxiliary_point,
+        act_.begin<plane>(lang::sentences::auxiliary_point,
                           {symbol, act_.body(), act_.reason_of(first), act_.reason_of(second)}, "Assur");
         LineOn<plane> lines[2];
         PointOn<plane> ends[2];
@@ -111,11 +112,11 @@ void Directions<plane>::spin_from_parallels(State<plane>& state, const Given<pla
         state.track.spins[at(act_.body_index)] = board_.number(0);
         act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))),
                            InstantaneousMotionFigure::Found::translation, {first.node, second.node});
-        act_.begin_centre(Sentence::act_parallels, {act_.body(), act_.name(first.node), act_.name(second.node)},
+        act_.begin_centre(lang::sentences::act_parallels, {act_.body(), act_.name(first.node), act_.name(second.node)},
                           "Rivals");
     } else {
         act_.begin_spin<plane>(
-            Sentence::alpha_from_parallels,
+            lang::sentences::alpha_from_parallels,
             {act_.spin<plane>(), Segment{act_.node(first.node).label, act_.node(second.node).label}, act_.body()},
             "Rivals");
         // From a place of the first locus, the line ⟂ to the join meets the second locus.

@@ -12,6 +12,7 @@
 #include "constructions/kinematics/space_diagram.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/phrases.hpp"
 
 namespace kinegraph::act {
 
@@ -81,11 +82,11 @@ public:
     }
     PointName name(NodeIndex index) const { return {node(index).label}; }
     Message sought_centre() const {
-        return {Sentence::centre_of_bodies, {BodyName{structure.body_name(frame)}, body()}};
+        return {lang::phrases::centre_of_bodies, {BodyName{structure.body_name(frame)}, body()}};
     }
     template <Plane plane>
     Message sought() const {
-        return {is_velocity<plane> ? Sentence::velocity_of_body : Sentence::acceleration_of_body, {body()}};
+        return {is_velocity<plane> ? lang::phrases::velocity_of_body : lang::phrases::acceleration_of_body, {body()}};
     }
     void unsolved(Message what, Message why) { result.unsolved.push_back({std::move(what), std::move(why)}); }
     std::string free_name(const std::string& letter) const { return kinegraph::free_name(mechanism, letter); }
@@ -120,18 +121,18 @@ public:
     }
 
     template <Plane plane>
-    StatementIndex begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+    StatementIndex begin(Key sentence, std::vector<Argument> arguments, std::string source = {}) {
         return state<plane>(board, sentence, std::move(arguments), std::move(source));
     }
     /// A sentence that gives the centre, or states that it is at infinity.
-    StatementIndex begin_centre(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+    StatementIndex begin_centre(Key sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<Plane::velocity>(sentence, std::move(arguments), std::move(source));
         if (result.figure.centre_statement == none) result.figure.centre_statement = statement;
         return statement;
     }
     /// A sentence whose result is the body's ω or α.
     template <Plane plane>
-    void begin_spin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+    void begin_spin(Key sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
         board.statement(statement).finds = {spin_quantity<plane>(body_index)};
     }

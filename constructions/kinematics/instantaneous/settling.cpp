@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::act {
 
@@ -33,7 +34,7 @@ template <Plane plane>
 void Settling<plane>::take_whole(State<plane>& state, std::size_t index) {
     const Given<plane>& given = state.given[index];
     if (!state.base) {
-        act_.begin<plane>(Sentence::act_given, {act_.absolute<plane>(given.node)});
+        act_.begin<plane>(lang::sentences::act_given, {act_.absolute<plane>(given.node)});
         const auto tip = act_.tip_of(given);
         act_.set_base(state, given.node, tip);
         act_.set_tip(state, given.node, tip);
@@ -49,7 +50,7 @@ template <Plane plane>
 void Settling<plane>::take_pair(State<plane>& state, std::size_t index) {
     const Given<plane>& given = state.given[index];
     const Base<plane>& base = *state.base;
-    act_.begin<plane>(Sentence::act_given, {act_.absolute<plane>(given.node)});
+    act_.begin<plane>(lang::sentences::act_given, {act_.absolute<plane>(given.node)});
     const auto tip = act_.tip_of(given);
     act_.set_tip(state, given.node, tip);
     state.used[index] = true;
@@ -57,7 +58,7 @@ void Settling<plane>::take_pair(State<plane>& state, std::size_t index) {
     std::vector<Argument> arguments{Segment{base.label, act_.node(given.node).label}, act_.absolute<plane>(base.label),
                                     act_.absolute<plane>(given.node)};
     if (!is_velocity<plane>) arguments.emplace_back(act_.spin<Plane::velocity>());
-    act_.begin<plane>(either<plane>(Sentence::act_projections, Sentence::act_projections_acceleration),
+    act_.begin<plane>(either<plane>(lang::sentences::act_projections, lang::sentences::act_projections_acceleration),
                       std::move(arguments), "Rivals");
     take_spin(state, given.node, tip);
 }
@@ -79,7 +80,7 @@ void Settling<plane>::take_spin(State<plane>& state, NodeIndex index, PointOn<pl
         // the sentence of the centre says it: a translation, or rest
         state.track.spins[at(act_.body_index)] = board_.number(0);
     } else {
-        act_.begin_spin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+        act_.begin_spin<plane>(either<plane>(lang::sentences::omega_from_pair, lang::sentences::alpha_from_pair),
                                {act_.spin<plane>(), act_.relative(index, base, is_velocity<plane> ? "" : "t"),
                                 Segment{base.label, act_.node(index).label}, act_.body()},
                                "Rivals");
@@ -118,7 +119,7 @@ void Settling<plane>::take_direction(State<plane>& state, std::size_t index) {
     state.used[index] = true;
     if (is_velocity<plane> && base.node == none) return directions_.rest_by_lines(state, given.node);
     const StatementIndex statement =
-        act_.begin<plane>(either<plane>(Sentence::act_direction, Sentence::act_direction_acceleration),
+        act_.begin<plane>(either<plane>(lang::sentences::act_direction, lang::sentences::act_direction_acceleration),
                           {image_symbol<plane>(act_.node(given.node).label), act_.absolute<plane>(given.node),
                            Segment{base.label, act_.node(given.node).label}, act_.absolute<plane>(base.label)},
                           "Rivals");

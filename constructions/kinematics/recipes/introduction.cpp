@@ -1,4 +1,5 @@
 #include "constructions/kinematics/recipes/introduction.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::recipes {
 
@@ -19,14 +20,14 @@ void Introduction::introduce(const Locus& locus) {
     switch (locus.kind) {
         case Locus::Kind::link:
             pen_.begin<Plane::velocity>(
-                Sentence::equivalent_link,
+                lang::sentences::equivalent_link,
                 {pen_.body(locus.body), pen_.body(other), contact, chains_.segment(locus.base, locus.node)},
                 "Euler–Savary");
             return equivalent(EquivalentLinkage::Kind::link, locus.body, other, locus.node, locus.base);
         case Locus::Kind::slot: {
             const BodyIndex pins = locus.inverse ? other : locus.body;
             const bool tip = chains_.node(pin).point == joint.point;
-            pen_.begin<Plane::velocity>(tip ? Sentence::equivalent_tip : Sentence::equivalent_slot,
+            pen_.begin<Plane::velocity>(tip ? lang::sentences::equivalent_tip : lang::sentences::equivalent_slot,
                                         {pen_.body(pins), pen_.body(locus.guide), contact,
                                          PointName{chains_.mechanism().points[at(chains_.node(pin).point)].name}},
                                         tip ? "" : "Euler–Savary");
@@ -34,13 +35,13 @@ void Introduction::introduce(const Locus& locus) {
         }
         case Locus::Kind::mesh:
             pen_.begin<Plane::velocity>(
-                Sentence::pitch_curves,
+                lang::sentences::pitch_curves,
                 {pen_.body(locus.body), pen_.body(other), contact, place_on(joint, locus.body), place_on(joint, other)},
                 "");
             return;
         default:
-            pen_.begin<Plane::velocity>(Sentence::contact_tangent, {pen_.body(locus.body), pen_.body(other), contact},
-                                        "");
+            pen_.begin<Plane::velocity>(lang::sentences::contact_tangent,
+                                        {pen_.body(locus.body), pen_.body(other), contact}, "");
     }
 }
 

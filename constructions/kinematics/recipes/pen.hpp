@@ -36,13 +36,13 @@ public:
         return image_symbol<plane>(chains_.node(index).label);
     }
     template <Plane plane>
-    StatementIndex begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+    StatementIndex begin(Key sentence, std::vector<Argument> arguments, std::string source) {
         if (hand_ != Hand::solution) return none;
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
     /// A sentence whose result is the ω or α of a body.
     template <Plane plane>
-    StatementIndex begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
+    StatementIndex begin_spin(BodyIndex found, Key sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
         if (found != none) said(statement).finds = {spin_quantity<plane>(found)};
         return statement;

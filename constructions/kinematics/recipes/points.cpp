@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::recipes {
 
@@ -14,7 +15,7 @@ void PointRecipes<plane>::slide_by_driver(Track<plane>& track, const Step& step)
     if (!track.has(step.base)) return;
     const BodyIndex guide_body = step.inverse ? step.body : step.other;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(guide_body)) return;
-    pen_.begin<plane>(either<plane>(Sentence::driven_point_velocity, Sentence::driven_point_acceleration),
+    pen_.begin<plane>(either<plane>(lang::sentences::driven_point_velocity, lang::sentences::driven_point_acceleration),
                       {chains_.absolute<plane>(step.node), PointName{chains_.mechanism().joints[at(step.joint)].name}},
                       is_velocity<plane> ? "" : "Coriolis");
     const NodeIndex slider = step.inverse ? step.base : step.node, guide = step.inverse ? step.node : step.base;
@@ -60,15 +61,15 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
     if (!rest) arguments = {point, pen_.body(step.body), chains_.absolute<plane>(step.node), base, omega};
     if (!is_velocity<plane>) arguments.emplace_back(pen_.spin_of<plane>(step.body));
     const StatementIndex statement =
-        pen_.begin<plane>(rest ? either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration)
-                               : either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
+        pen_.begin<plane>(rest ? either<plane>(lang::sentences::crank_velocity, lang::sentences::crank_acceleration)
+                               : either<plane>(lang::sentences::image_velocity, lang::sentences::image_acceleration),
                           std::move(arguments), "Rivals");
     const auto join = chains_.diagram().join(step.base, step.node);
     PointOn<plane> tip = track.tip(step.base);
     if constexpr (is_velocity<plane>) {
         if (!rest && board_.is_zero(track.spin(step.body))) {
             pen_.said(statement).message = {
-                Sentence::translating_velocity,
+                lang::sentences::translating_velocity,
                 {pen_.body(step.body), PointName{chains_.node(step.node).label}, chains_.absolute<plane>(step.node)}};
         } else {
             const auto turned = board_.scale<plane>(track.spin(step.body), board_.turn(join));
@@ -115,7 +116,7 @@ void PointRecipes<plane>::draw_rolling_point(Track<plane>& track, const Step& st
     const PointName contact{chains_.mechanism().points[at(chains_.mechanism().joints[at(step.joint)].point)].name};
     const bool rest = chains_.at_rest(step.base);
     if constexpr (is_velocity<plane>) {
-        pen_.begin<plane>(rest ? Sentence::rolling_point_at_rest : Sentence::rolling_velocity,
+        pen_.begin<plane>(rest ? lang::sentences::rolling_point_at_rest : lang::sentences::rolling_velocity,
                           {contact, pen_.body(step.body), pen_.body(step.other), chains_.absolute<plane>(step.node),
                            chains_.absolute<plane>(step.base)},
                           "");
@@ -126,7 +127,7 @@ void PointRecipes<plane>::draw_rolling_point(Track<plane>& track, const Step& st
         const Symbol normal =
             rest ? chains_.absolute<plane>(step.node) : chains_.relative<plane>(step.node, step.base, "n");
         pen_.begin<plane>(
-            rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
+            rest ? lang::sentences::rolling_point_on_rest_acceleration : lang::sentences::rolling_acceleration,
             {contact, pen_.body(step.body), pen_.body(step.other), chains_.absolute<plane>(step.node),
              chains_.absolute<plane>(step.base), normal, rolling_lever(chains_.mechanism().joints[at(step.joint)])},
             "Euler–Savary");
@@ -143,8 +144,8 @@ template <Plane plane>
 void PointRecipes<plane>::draw_meet(Track<plane>& track, const Step& step) {
     if (!chains_.ready(track, step.first) || !chains_.ready(track, step.second)) return;
     say_observer(step);
-    const StatementIndex statement =
-        pen_.begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
+    const StatementIndex statement = pen_.begin<plane>(
+        either<plane>(lang::sentences::two_lines_velocity, lang::sentences::two_lines_acceleration), {}, "");
     const Chain<plane> first = chains_.chain(track, step.first);
     const Chain<plane> second = chains_.chain(track, step.second);
     const auto met = board_.meet(first.line, second.line);
@@ -168,7 +169,7 @@ template <Plane plane>
 void PointRecipes<plane>::draw_auxiliary(Track<plane>& track, const Step& step) {
     if (!chains_.ready(track, step.first) || !chains_.ready(track, step.second)) return;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
-    const StatementIndex statement = pen_.begin<plane>(Sentence::auxiliary_point, {}, "Assur");
+    const StatementIndex statement = pen_.begin<plane>(lang::sentences::auxiliary_point, {}, "Assur");
     LineOn<plane> lines[2];
     LineReason reasons[2];
     PointOn<plane> ends[2];
@@ -222,7 +223,7 @@ void PointRecipes<plane>::say_observer(const Step& step) {
                 if (!board_.is_zero(omega) && !board_.is_zero(seen))
                     arguments.emplace_back(chains_.relative<plane>(point, place, "cor"));
             }
-            pen_.begin<plane>(either<plane>(Sentence::observer_velocity, Sentence::observer_acceleration),
+            pen_.begin<plane>(either<plane>(lang::sentences::observer_velocity, lang::sentences::observer_acceleration),
                               std::move(arguments), is_velocity<plane> ? "" : "Coriolis");
             return;
         }

@@ -1,6 +1,7 @@
 #include "constructions/kinematics/recipes/spins.hpp"
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::recipes {
 
@@ -9,13 +10,14 @@ void SpinRecipes<plane>::spin_by_joint(Track<plane>& track, const Step& step) {
     if (!track.turns(step.other)) return;
     const Joint& joint = chains_.mechanism().joints[at(step.joint)];
     if (joint.pair().is_sleeve() && joint.bodies[1] == frame)
-        pen_.begin_spin<plane>(step.body, either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
-                               {pen_.spin_of<plane>(step.body), pen_.body(step.body), pen_.place_of(joint)}, "");
+        pen_.begin_spin<plane>(
+            step.body, either<plane>(lang::sentences::omega_by_fixed_guide, lang::sentences::alpha_by_fixed_guide),
+            {pen_.spin_of<plane>(step.body), pen_.body(step.body), pen_.place_of(joint)}, "");
     else
         pen_.begin_spin<plane>(
             step.body,
-            joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
-                                     : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
+            joint.pair().is_sleeve() ? either<plane>(lang::sentences::omega_by_sleeve, lang::sentences::alpha_by_sleeve)
+                                     : either<plane>(lang::sentences::omega_by_joint, lang::sentences::alpha_by_joint),
             {pen_.spin_of<plane>(step.body), pen_.spin_of<plane>(step.other), pen_.place_of(joint)}, "");
     track.spins[at(step.body)] = track.spin(step.other);
 }
@@ -24,7 +26,8 @@ template <Plane plane>
 void SpinRecipes<plane>::spin_by_driver(Track<plane>& track, const Step& step) {
     if (!track.turns(step.other)) return;
     if (step.other != frame) {
-        pen_.begin_spin<plane>(step.body, either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
+        pen_.begin_spin<plane>(step.body,
+                               either<plane>(lang::sentences::omega_by_driver, lang::sentences::alpha_by_driver),
                                {pen_.spin_of<plane>(step.body), pen_.spin_of<plane>(step.other)}, "");
     }
     const ScalarHandle given = chains_.driven<plane>(step.driver);
@@ -53,7 +56,7 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
                              : from_node        ? chains_.relative<plane>(step.base, step.node, term)
                                                 : chains_.relative<plane>(step.node, step.base, term);
     const StatementIndex statement = pen_.begin_spin<plane>(
-        step.body, either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+        step.body, either<plane>(lang::sentences::omega_from_pair, lang::sentences::alpha_from_pair),
         {pen_.spin_of<plane>(step.body), relative_symbol, chains_.segment(step.base, step.node), pen_.body(step.body)},
         "Rivals");
     const auto turned = board_.turn(chains_.diagram().join(step.base, step.node));
@@ -109,7 +112,8 @@ template <Plane plane>
 void SpinRecipes<plane>::spin_from_parallels(Track<plane>& track, const Step& step) {
     if (!chains_.ready(track, step.first) || !chains_.ready(track, step.second)) return;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
-    pen_.begin_spin<plane>(step.body, either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
+    pen_.begin_spin<plane>(step.body,
+                           either<plane>(lang::sentences::omega_from_parallels, lang::sentences::alpha_from_parallels),
                            {pen_.spin_of<plane>(step.body), chains_.segment(step.first.holds(), step.second.holds()),
                             pen_.body(step.body)},
                            "Rivals");

@@ -2,6 +2,7 @@
 
 #include "constructions/kinematics/trial_size.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::recipes {
 
@@ -9,8 +10,8 @@ template <Plane plane>
 void TrialRecipes<plane>::assume(Track<plane>& track, const Step& step) {
     if (step.node != none && !chains_.ready(track, step.first)) return;
     if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
-    pen_.begin<plane>(step.node != none ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments(step),
-                      "");
+    pen_.begin<plane>(step.node != none ? lang::sentences::trial_on_line : lang::sentences::trial_of_spin,
+                      assumption_arguments(step), "");
     const Assumed<plane> assumed = assumed_of(track, step);
     VectorOn<plane> missed[2];
     ScalarHandle mismatch[2];
@@ -37,9 +38,10 @@ void TrialRecipes<plane>::assume(Track<plane>& track, const Step& step) {
         }
     }
     pen_.take(hand);
-    pen_.begin_spin<plane>(step.node != none ? none : step.body,
-                           step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
-                           closing_arguments(step), "");
+    pen_.begin_spin<plane>(
+        step.node != none ? none : step.body,
+        step.closing.locus ? lang::sentences::trial_closes_on_line : lang::sentences::trial_closes_by_spin,
+        closing_arguments(step), "");
     const ScalarHandle share = step.closing.locus
                                    ? share_by_line(missed, chains_.diagram().direction(*step.closing.locus))
                                    : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));

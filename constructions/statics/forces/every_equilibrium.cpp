@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/every_equilibrium.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -71,7 +72,8 @@ void EveryEquilibrium::by_elimination(const Group& group, Equilibria& all, Run& 
         shared.emplace_back(b, std::move(alike));
     }
     if (shared.empty()) return;
-    said_.say_of(group, Sentence::elimination_alone, {Count{static_cast<int>(all.equations())}, std::move(symbols)});
+    said_.say_of(group, lang::sentences::elimination_alone,
+                 {Count{static_cast<int>(all.equations())}, std::move(symbols)});
     for (const auto& [b, alike] : shared)
         if (alike.all)
             settle_by_work(b, alike, all, run);
@@ -156,10 +158,10 @@ void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilib
 
 void EveryEquilibrium::say_translation(const Group& moved, const Symbol& symbol, std::optional<DirectionHandle> along,
                                        DirectionHandle way) {
-    if (along && board_.parallel(*along, way)) return said_.say_of(moved, Sentence::components_alone, {symbol});
+    if (along && board_.parallel(*along, way)) return said_.say_of(moved, lang::sentences::components_alone, {symbol});
     std::vector<Argument> arguments{symbol};
     if (const auto reason = said_.guide_along(moved, way)) arguments.emplace_back(*reason);
-    said_.say_of(moved, Sentence::translation_alone, std::move(arguments));
+    said_.say_of(moved, lang::sentences::translation_alone, std::move(arguments));
 }
 
 void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along,
@@ -187,11 +189,11 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
         centres.resize(std::min<std::size_t>(centres.size(), 1));
     const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;
     if (as_one && !centres.empty()) {
-        said_.say_of(moved, Sentence::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
+        said_.say_of(moved, lang::sentences::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
     } else if (as_one) {
         say_translation(moved, symbol, along, all.direction(motion.members.begin()->second));
     } else {
-        said_.say(Sentence::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
+        said_.say(lang::sentences::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
     }
     released.statement = said_.last();
     if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)

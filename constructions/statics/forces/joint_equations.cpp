@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/joint_equations.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -227,7 +228,7 @@ void JointEquations::say(const System& system, const SolvableBlock& block, const
     // More than a line of symbols would not be read.
     constexpr std::size_t most_symbols = 12;
     if (found.size() > most_symbols) found.clear();
-    said_.say_of(group, Sentence::equations_together,
+    said_.say_of(group, lang::sentences::equations_together,
                  {Count{static_cast<int>(block.equations.size())}, std::move(found)});
 }
 

@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/lines_of_action.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -32,7 +33,7 @@ bool LinesOfAction::parallel_to_all(const Group& group, const std::vector<Load>&
         return false;
     const Wrench known = model_.known_on(group, loads, run);
     if (known.force && !is_along(board_.direction(*known.force))) return false;
-    said_.say_of(group, Sentence::three_parallel_lines, {said_.symbol_on(pins[0], group)});
+    said_.say_of(group, lang::sentences::three_parallel_lines, {said_.symbol_on(pins[0], group)});
     settled_.settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, along), run);
     return true;
 }
@@ -43,7 +44,7 @@ bool LinesOfAction::through_pin(const Group& group, const std::vector<Load>& loa
     const Wrench known = model_.known_on(group, loads, run);
     const PlaceOnDrawing pin = model_.bonds()[at(pins[0])].place;
     if (!known.force || !board_.on_line(pin, model_.line_of(known))) return false;
-    said_.say_of(group, Sentence::through_pin, {said_.place_name(pins[0]), said_.symbol_on(guides[0], group)});
+    said_.say_of(group, lang::sentences::through_pin, {said_.place_name(pins[0]), said_.symbol_on(guides[0], group)});
     settled_.settle_line(guides[0], model_.action(pin, model_.bonds()[at(guides[0])].direction), run);
     return true;
 }
@@ -56,7 +57,7 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (pins.size() == 2) {
         const Bond &one = model_.bonds()[at(pins[0])], &two = model_.bonds()[at(pins[1])];
         if (board_.coincide(one.place, two.place)) return false;
-        said_.say_of(group, group.size() > 1 ? Sentence::two_force_group : Sentence::two_force_body,
+        said_.say_of(group, group.size() > 1 ? lang::sentences::two_force_group : lang::sentences::two_force_body,
                      {said_.place_name(pins[0]), said_.place_name(pins[1])});
         const Action found = model_.action(one.place, join_direction(one.place, two.place));
         settled_.settle_line(pins[0], found, run);
@@ -64,7 +65,7 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
         return true;
     }
     if (pins.size() == 1 && guides.size() == 1) {
-        said_.say_of(group, Sentence::two_force_guide, {said_.place_name(pins[0]), said_.place_name(guides[0])});
+        said_.say_of(group, lang::sentences::two_force_guide, {said_.place_name(pins[0]), said_.place_name(guides[0])});
         const Action found = model_.action(model_.bonds()[at(pins[0])].place, model_.bonds()[at(guides[0])].direction);
         settled_.settle_line(pins[0], found, run);
         settled_.settle_line(guides[0], found, run);
@@ -73,11 +74,12 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (pins.size() == 1 && fixed.size() == 1) {
         const Action given = *run.reactions[at(fixed[0])].action;
         if (board_.on_line(model_.bonds()[at(pins[0])].place, given.line)) {
-            said_.say_of(group, Sentence::two_force_body, {said_.place_name(pins[0]), said_.place_name(fixed[0])});
+            said_.say_of(group, lang::sentences::two_force_body,
+                         {said_.place_name(pins[0]), said_.place_name(fixed[0])});
             settled_.settle_line(pins[0], given, run);
             settled_.found_line(fixed[0], run);
         } else {
-            said_.say_of(group, Sentence::zero_forces, {});
+            said_.say_of(group, lang::sentences::zero_forces, {});
             settled_.vanish(pins[0], group, run);
             settled_.vanish(fixed[0], group, run);
         }
@@ -86,7 +88,7 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (guides.size() == 2) {
         if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction))
             return false;
-        said_.say_of(group, Sentence::zero_forces, {});
+        said_.say_of(group, lang::sentences::zero_forces, {});
         settled_.vanish(guides[0], group, run);
         settled_.vanish(guides[1], group, run);
         return true;
@@ -94,11 +96,12 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     // A guide and a line: the guide's reaction can be at any place.
     const Action given = *run.reactions[at(fixed[0])].action;
     if (board_.parallel(model_.bonds()[at(guides[0])].direction, given.direction)) {
-        said_.say_of(group, Sentence::two_force_guide, {said_.place_name(fixed[0]), said_.place_name(guides[0])});
+        said_.say_of(group, lang::sentences::two_force_guide,
+                     {said_.place_name(fixed[0]), said_.place_name(guides[0])});
         settled_.settle_line(guides[0], given, run);
         settled_.found_line(fixed[0], run);
     } else {
-        said_.say_of(group, Sentence::zero_forces, {});
+        said_.say_of(group, lang::sentences::zero_forces, {});
         settled_.vanish(guides[0], group, run);
         settled_.vanish(fixed[0], group, run);
     }
@@ -110,7 +113,7 @@ bool LinesOfAction::parallel_to_other(const Group& group, const std::vector<int>
     if (pins.size() != 1) return false;
     const DirectionHandle direction =
         fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
-    said_.say_of(group, Sentence::two_forces_and_couple, {said_.place_name(pins[0])});
+    said_.say_of(group, lang::sentences::two_forces_and_couple, {said_.place_name(pins[0])});
     settled_.settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, direction), run);
     return true;
 }
@@ -136,9 +139,9 @@ bool LinesOfAction::concurrent(const Group& group, const std::vector<int>& fixed
         found = model_.action(*met, bond.direction);
     }
     if (parallel) {
-        said_.say_of(group, Sentence::three_parallel_lines, {said_.symbol_on(third, group)});
+        said_.say_of(group, lang::sentences::three_parallel_lines, {said_.symbol_on(third, group)});
     } else {
-        said_.say_of(group, Sentence::three_force_line,
+        said_.say_of(group, lang::sentences::three_force_line,
                      {PointName{said_.meet_name(group, *met)}, said_.symbol_on(third, group), said_.place_name(third)},
                      "Culmann");
     }

@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "engine/drawing/spring_force.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 namespace {
@@ -61,7 +63,8 @@ private:
     void add_spring(int index, const SpringLoad& spring) {
         const auto [first, second] = spring.between;
         if (board_.coincide(board_.place(first), board_.place(second))) {
-            read_.missing.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
+            read_.missing.push_back(
+                {{lang::phrases::all_forces, {}}, {lang::phrases::spring_without_direction, {spring.name}}});
             return;
         }
         const std::size_t before = read_.loads.size();
@@ -78,7 +81,8 @@ private:
         const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
         if (spring.elastic && read_.loads.size() > before)
             say_of_load(read_.loads.back(),
-                        {Sentence::elastic_spring, {read_.loads.back().symbol, name(first), name(second)}}, "Hooke");
+                        {lang::sentences::elastic_spring, {read_.loads.back().symbol, name(first), name(second)}},
+                        "Hooke");
     }
 
     /// At the centroid of its diagram; a couple if its halves cancel.
@@ -102,7 +106,7 @@ private:
         if (read_.loads.size() == before) return;
         const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
         say_of_load(acting,
-                    {resultant.is_couple ? Sentence::distributed_couple : Sentence::distributed_load,
+                    {resultant.is_couple ? lang::sentences::distributed_couple : lang::sentences::distributed_load,
                      {BodyName{mechanism_.body(load.body).name}, acting.symbol, name(load.from), name(load.to)}});
     }
 
@@ -120,10 +124,10 @@ private:
         }
         if (read_.loads.size() == before) return;
         const auto name = [&](BodyIndex body) { return BodyName{mechanism_.body(body).name}; };
-        say_of_load(
-            read_.loads.back(),
-            {Sentence::torsion_spring, {read_.loads.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}},
-            "Hooke");
+        say_of_load(read_.loads.back(),
+                    {lang::sentences::torsion_spring,
+                     {read_.loads.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}},
+                    "Hooke");
     }
 
     std::string mass_name(const Mass& mass, const char* letter) const {
@@ -150,8 +154,8 @@ private:
         const NodeIndex centre = structure_.find(mass.centre, mass.body);
         if (track.polygon < 0 || centre == none || !track.has(centre) || !track.turns(mass.body)) {
             read_.missing.push_back(
-                {{Sentence::all_forces, {}},
-                 {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
+                {{lang::phrases::all_forces, {}},
+                 {lang::phrases::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
             return;
         }
         const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
@@ -164,13 +168,14 @@ private:
                   index};
         const BodyName body{mechanism_.bodies[at(mass.body)].name};
         const std::string& label = structure_.node(centre).label;
-        add_said(load, {Sentence::inertia_force,
+        add_said(load, {lang::sentences::inertia_force,
                         {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
         const Load force = load;
         load.force.reset();
         load.symbol.letter = Symbol::Letter::M;
         load.couple = board_.opposite(board_.product(board_.inertia(index), track.spin(mass.body)));
-        add_said(load, {Sentence::inertia_couple, {body, load.symbol, Symbol{Symbol::Letter::alpha, body.name, {}}}});
+        add_said(load,
+                 {lang::sentences::inertia_couple, {body, load.symbol, Symbol{Symbol::Letter::alpha, body.name, {}}}});
         move_inertia(force, load);
     }
 
@@ -180,7 +185,7 @@ private:
         one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
         one.statement = say_of_load(
             force,
-            {Sentence::inertia_moved,
+            {lang::sentences::inertia_moved,
              {BodyName{mechanism_.body(BodyIndex(force.member.number())).name}, force.symbol, couple.symbol}},
             "d’Alembert");
         read_.shifts.push_back({force.member, force.place, *force.force, one.place, one.statement, true});

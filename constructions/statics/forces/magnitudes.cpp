@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -38,7 +39,7 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
     const KnownForces::Shape of = known_.shape(b, run);
     Symbol symbol = said_.symbol_on(b, group);
     if (known.vanishes() && of == KnownForces::Shape::couple) symbol.letter = Symbol::Letter::M;
-    said_.say_of(group, known.vanishes() ? Sentence::no_force : Sentence::single_reaction, {symbol});
+    said_.say_of(group, known.vanishes() ? lang::sentences::no_force : lang::sentences::single_reaction, {symbol});
     if (of == KnownForces::Shape::couple) {
         resultants_.note_couple_of_two(group, known, loads, run);
         settled_.settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
@@ -75,7 +76,8 @@ bool Magnitudes::force_and_couple(const Group& group, int force, int couple, con
                                   const std::vector<Load>& loads, Run& run) {
     const PlaceOnDrawing place = known_.place_of(force, run);
     resultants_.say_resultant(group, known, loads, run);
-    said_.say_of(group, Sentence::force_and_couple, {said_.symbol_on(force, group), said_.symbol_on(couple, group)});
+    said_.say_of(group, lang::sentences::force_and_couple,
+                 {said_.symbol_on(force, group), said_.symbol_on(couple, group)});
     const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
     if (known.force && !board_.is_zero(balancing)) resultants_.note_lever(group, place, *known.force, known.place, run);
     if (known.force) {
@@ -95,7 +97,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
     if (board_.on_line(place, given.line)) return false;  // then the moment about the pin does not determine it
     if (known.vanishes()) {
-        said_.say_of(group, Sentence::zero_forces, {});
+        said_.say_of(group, lang::sentences::zero_forces, {});
         settled_.found(line, group, run);
         settled_.found(pin, group, run);
         return true;
@@ -110,7 +112,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
             if (auto found = funicular_.strings(
                     group, {{resultants_.symbol_of_known(group, loads, run), known.force, known.place, -1}},
                     *known.force, given, place)) {
-                said_.say_of(group, Sentence::funicular_far,
+                said_.say_of(group, lang::sentences::funicular_far,
                              {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Culmann");
                 const auto [along, at_pin] =
                     funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
@@ -119,7 +121,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
                 return true;
             }
         const std::string letter = said_.meet_name(group, *met);
-        said_.say_of(group, Sentence::triangle_at,
+        said_.say_of(group, lang::sentences::triangle_at,
                      {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Culmann");
         const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
         const auto [along, at_pin] = balance_.triangle(known, given.direction, through_meet);
@@ -131,7 +133,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
     if (known.force)
         if (auto found =
                 funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
-            say_strings(group, Sentence::funicular_parallel,
+            say_strings(group, lang::sentences::funicular_parallel,
                         {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
             const auto [first, second] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
             settled_.settle(line, first, given.place, group, run);
@@ -140,7 +142,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
         }
     const auto along = balance_.by_moments(given, place, known);
     if (!along) return false;
-    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
+    said_.say_of(group, lang::sentences::parallel_forces, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
                  "Ritter");
     settled_.settle(line, *along, given.place, group, run);
     settled_.settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
@@ -156,7 +158,7 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
     auto found = funicular_.strings(group, actors, *known.force, given, place);
     if (!found) return false;
-    say_strings(group, Sentence::funicular_several,
+    say_strings(group, lang::sentences::funicular_several,
                 {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known}, *found);
     const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
     settled_.settle(line, along, given.place, group, run);
@@ -165,8 +167,7 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
 }
 
 /// The resultant passes through the intersection of the outer strings, which gets a name.
-void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments,
-                             const Strings& found) {
+void Magnitudes::say_strings(const Group& group, Key sentence, std::vector<Argument> arguments, const Strings& found) {
     if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
     said_.say_of(group, sentence, std::move(arguments), "Culmann");
 }
@@ -178,7 +179,7 @@ void Magnitudes::say_no_force_along(const Group& group, int nothing, int all, bo
         couple.letter = Symbol::Letter::M;
         arguments.emplace_back(std::move(couple));
     }
-    said_.say_of(group, Sentence::no_force_along, std::move(arguments));
+    said_.say_of(group, lang::sentences::no_force_along, std::move(arguments));
 }
 
 bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const Wrench& known,
@@ -190,10 +191,10 @@ bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const W
         say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
     } else if (const auto met = resultants_.meet_of_resultant(group, given, known, loads, run)) {
         const std::string letter = said_.meet_name(group, *met);
-        said_.say_of(group, Sentence::triangle_at,
+        said_.say_of(group, lang::sentences::triangle_at,
                      {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(guide, group)});
     } else {
-        said_.say_of(group, Sentence::triangle, {said_.symbol_on(line, group), said_.symbol_on(guide, group)});
+        said_.say_of(group, lang::sentences::triangle, {said_.symbol_on(line, group), said_.symbol_on(guide, group)});
     }
     const auto [along, across] = balance_.triangle(known, given.direction, normal);
     settled_.settle(line, along, given.place, group, run);
@@ -217,7 +218,7 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
         else if (balance_.is_along(known, second))
             say_no_force_along(group, one, two, false);
         else
-            said_.say_of(group, Sentence::triangle, {said_.symbol_on(one, group), said_.symbol_on(two, group)});
+            said_.say_of(group, lang::sentences::triangle, {said_.symbol_on(one, group), said_.symbol_on(two, group)});
         const auto [x, y] = balance_.triangle(known, first.direction, second.direction);
         settled_.settle(one, x, first.place, group, run);
         settled_.settle(two, y, second.place, group, run);
@@ -232,8 +233,8 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
     if (balance_.is_along(known, first) && !board_.on_line(second.place, first.line))
         if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first,
                                             second.place)) {
-            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
-                        *found);
+            say_strings(group, lang::sentences::funicular_parallel,
+                        {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
             const auto [x, y] = funicular_.by_strings(*std::move(found), one, two, *known.force, group, run);
             settled_.settle(one, x, first.place, group, run);
             settled_.settle(two, y, second.place, group, run);
@@ -241,7 +242,7 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
         }
     const auto x = balance_.by_moments(first, second.place, known);
     if (!x) return false;
-    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
+    said_.say_of(group, lang::sentences::parallel_forces, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
                  "Ritter");
     settled_.settle(one, *x, first.place, group, run);
     Wrench rest;
@@ -279,7 +280,7 @@ std::pair<Force, Wrench> Magnitudes::known_and_one(const Group& group, const Wre
         if (!board_.coincide(met, pivot)) {
             resultants_.say_resultant(group, known, loads, run);
             const std::string one_meet = said_.meet_name(group, met), other_meet = said_.meet_name(group, pivot);
-            said_.say_of(group, Sentence::culmann_line,
+            said_.say_of(group, lang::sentences::culmann_line,
                          {PointName{one_meet}, PointName{other_meet}, said_.symbol_on(one, group),
                           said_.symbol_on(two, group), said_.symbol_on(three, group)},
                          "Culmann");
@@ -292,7 +293,7 @@ std::pair<Force, Wrench> Magnitudes::known_and_one(const Group& group, const Wre
     }
     const auto first = balance_.by_moments(a, pivot, known);
     KG_ASSERT(first, "a line that does not pass the pivot has a lever about it");
-    said_.say_of(group, Sentence::culmann,
+    said_.say_of(group, lang::sentences::culmann,
                  {PointName{said_.meet_name(group, pivot)}, said_.symbol_on(one, group), said_.symbol_on(two, group),
                   said_.symbol_on(three, group)},
                  "Ritter");

@@ -37,7 +37,7 @@ private:
     /// funicular polygon adds them and resolves the sum.
     bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far,
                             const std::vector<Load>& loads, Run& run);
-    void say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found);
+    void say_strings(const Group& group, Key sentence, std::vector<Argument> arguments, const Strings& found);
     /// `couple_too`: the pair can transmit a couple, and it vanishes.
     void say_no_force_along(const Group& group, int nothing, int all, bool couple_too);
     /// A guide takes its force at any place: the triangle gives the forces, the remaining moment is the guide's couple.

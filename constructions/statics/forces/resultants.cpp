@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/resultants.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -71,9 +72,9 @@ void Resultants::say_resultant(const Group& group, const Wrench& known, const st
     const bool in_two_steps = forces.size() > 1 && couples.size() == 1 && alone.force;
     Symbols symbols = forces;
     if (!in_two_steps) symbols.insert(symbols.end(), couples.begin(), couples.end());
-    said_.say_of(group, Sentence::known_resultant, {std::move(symbols), added.symbol});
+    said_.say_of(group, lang::sentences::known_resultant, {std::move(symbols), added.symbol});
     added.statement = said_.last();
-    if (in_two_steps) said_.say_of(group, Sentence::inertia_moved, {added.symbol, couples.front()});
+    if (in_two_steps) said_.say_of(group, lang::sentences::inertia_moved, {added.symbol, couples.front()});
     const bool is_moved = !couples.empty() && alone.force;
     if (is_moved && group.size() == 1 && !model_.is_pin(group.front()))
         run.levers.push_back({group.front(), alone.place, *known.force, known.place, said_.last(), true});

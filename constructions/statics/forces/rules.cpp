@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/rules.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +20,7 @@ void Rules::advance(const std::vector<Load>& loads, Run& run) {
     const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
     const auto direct = [&](const auto& group) {
         return leads_on([&] {
-                   if (known_.is_whole(group)) said_.say_of(group, Sentence::structure_whole, {});
+                   if (known_.is_whole(group)) said_.say_of(group, lang::sentences::structure_whole, {});
                    return magnitudes_.magnitudes(group, loads, run);
                }) ||
                leads_on([&] { return lines_.lines(group, loads, run, false); });

@@ -1,4 +1,5 @@
 #include "constructions/statics/forces/runs.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -69,7 +70,7 @@ std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& dir
                      [&](const Load& load) { return load.member == member; });
         const std::string name = model_.member_name(member);
         said_.set_mark(name);
-        said_.say(Sentence::superposition,
+        said_.say(lang::sentences::superposition,
                   {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);
@@ -79,7 +80,7 @@ std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& dir
         if (!parts.empty()) parts.back().end = part.first;
         parts.push_back(std::move(part));
     }
-    said_.say(Sentence::superposition_sum, {});
+    said_.say(lang::sentences::superposition_sum, {});
     parts.back().end = said_.last();
     return sums_.add_up(std::move(parts));
 }

@@ -1,5 +1,7 @@
 #include "constructions/statics/forces/sentences.hpp"
 
+#include "lang/keys/sentences.hpp"
+
 #include <algorithm>
 
 #include "constructions/kinematics/motion.hpp"
@@ -14,7 +16,7 @@ void ForceSentences::rewind(const Mark& mark) {
     mark_.clear();
 }
 
-void ForceSentences::say(Sentence sentence, std::vector<Argument> arguments, const char* source, const Group& group) {
+void ForceSentences::say(Key sentence, std::vector<Argument> arguments, const char* source, const Group& group) {
     if (!in_trial()) {  // operations of a trial belong to the sentence that opens it
         Statement statement;
         statement.message = {sentence, std::move(arguments)};
@@ -27,8 +29,7 @@ void ForceSentences::say(Sentence sentence, std::vector<Argument> arguments, con
     remember_meets();
 }
 
-void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments,
-                            const char* source) {
+void ForceSentences::say_of(const Group& group, Key sentence, std::vector<Argument> arguments, const char* source) {
     std::string names;
     constexpr std::ptrdiff_t most_names = 4;
     const auto bodies =
@@ -43,10 +44,12 @@ void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<A
                 bodies < 2)  // "2 + 3", but "2+C" for a body with its pin, which is not another body
                 names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
     const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
-    if (bar != bar_names_.end())
+    if (bar != bar_names_.end()) {
         arguments.insert(arguments.begin(), BodyName{bar->second, BodyName::As::truss});
-    else
+        if (sentence == lang::sentences::two_force_body) sentence = lang::sentences::two_force_bar;
+    } else {
         arguments.insert(arguments.begin(), BodyName{names, as_what(group)});
+    }
     say(sentence, std::move(arguments), source, group);
 }
 

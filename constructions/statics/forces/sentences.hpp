@@ -52,9 +52,9 @@ public:
     Mark mark() const { return {statement_, meets_, named_meets_}; }
     void rewind(const Mark& mark);
 
-    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
+    void say(Key sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
     /// A sentence about a body, or about several taken together; they become its first argument.
-    void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
+    void say_of(const Group& group, Key sentence, std::vector<Argument> arguments, const char* source = "");
     /// Symbol of a bond's force as it acts on a group.
     Symbol symbol_on(int b, const Group& group) const;
     /// The action of a bond on a group.

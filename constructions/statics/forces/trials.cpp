@@ -3,6 +3,7 @@
 #include <array>
 
 #include "constructions/kinematics/trial_size.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -24,7 +25,7 @@ void Trials::close_by_trial(const std::vector<Load>& loads, Run& run) {
 }
 
 bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b) {
-    said_.say(Sentence::trial, {said_.with_mark(model_.bonds()[at(b)].symbol)}, "");
+    said_.say(lang::sentences::trial, {said_.with_mark(model_.bonds()[at(b)].symbol)}, "");
     Run first = run, second = run;
     const std::optional<Force> largest = largest_of(loads);
     give(first, b, 2, largest);

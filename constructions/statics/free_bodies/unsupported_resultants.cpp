@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -89,20 +90,20 @@ void UnsupportedResultants::say_resultant(Resultant& result, const std::optional
     Statement statement;
     statement.section = Topic::forces;
     statement.bodies = result.bodies;
-    statement.message = {Sentence::in_equilibrium, {BodyName{names}}};
+    statement.message = {lang::sentences::in_equilibrium, {BodyName{names}}};
     const Symbol resultant = resultant_symbol(true);
     if (result.residual_couple) {
         const std::string centre = way_.point_at({result.about.element()});
-        statement.message = {Sentence::residual_couple,
+        statement.message = {lang::sentences::residual_couple,
                              {BodyName{names}, resultant, PointName{centre}, Symbol{Symbol::Letter::M, centre, {}}}};
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
     } else if (result.residual_force) {
         Symbol along = resultant;
         along.term = "t";
-        statement.message = {Sentence::residual_force, {BodyName{names}, resultant, along}};
+        statement.message = {lang::sentences::residual_force, {BodyName{names}, resultant, along}};
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
     } else if (force || couple) {
-        statement.message.sentence = force ? Sentence::resultant_force : Sentence::resultant_couple;
+        statement.message.sentence = force ? lang::sentences::resultant_force : lang::sentences::resultant_couple;
         statement.message.arguments.emplace_back(resultant_symbol(force.has_value()));
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
     }

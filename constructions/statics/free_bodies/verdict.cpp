@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "constructions/statics/equilibria.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -41,14 +43,14 @@ void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
              open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
             open.push_back(std::move(symbol));
     }
-    results.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
+    results.unsolved.push_back({{lang::phrases::all_forces, {}}, reason(std::move(open))});
 }
 
 void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
     for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
         const JointIndex joint = model_.bonds()[b].joint;
         if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
-            results.remarks.push_back({Sentence::lift_off, {file_name(mechanism_.joints[at(joint)])}});
+            results.remarks.push_back({lang::sentences::lift_off, {file_name(mechanism_.joints[at(joint)])}});
     }
 }
 
@@ -91,17 +93,18 @@ bool Verdict::moves_freely() {
 Message Verdict::reason(Symbols open) {
     const auto efforts = static_cast<int>(mechanism_.efforts.size());
     const Count freedoms{mobility_.effective};
-    if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
-    if (efforts > mobility_.effective) return {Sentence::too_many_efforts, {Count{efforts}, freedoms, std::move(open)}};
-    if (efforts > 0 && moves_freely()) return {Sentence::effort_without_work, {std::move(open)}};
+    if (efforts < mobility_.effective) return {lang::phrases::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
+    if (efforts > mobility_.effective)
+        return {lang::phrases::too_many_efforts, {Count{efforts}, freedoms, std::move(open)}};
+    if (efforts > 0 && moves_freely()) return {lang::phrases::effort_without_work, {std::move(open)}};
     int repeated = 0;
     Names joints;
     for (const Mobility::Redundant& redundant : mobility_.redundant) {
         repeated += redundant.rows;
         joints.push_back(mechanism_.joints[at(redundant.joint)].name);
     }
-    if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
-    return {Sentence::not_by_equilibrium, {std::move(open)}};
+    if (repeated > 0) return {lang::phrases::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
+    return {lang::phrases::not_by_equilibrium, {std::move(open)}};
 }
 
 }  // namespace kinegraph::statics

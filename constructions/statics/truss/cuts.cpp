@@ -1,4 +1,6 @@
 #include "constructions/statics/truss/cuts.hpp"
+#include "lang/keys/phrases.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -56,9 +58,10 @@ void Cuts::make_those_of_file(bool at_last) {
         done_[c] = true;
         if (side == sides.end())
             unsolved_.push_back(
-                {{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_without_reactions, {}}});
+                {{lang::phrases::cut_of_bars, {truss_.names_of(bars)}}, {lang::phrases::cut_without_reactions, {}}});
         else if (!make(bars, *side, true))
-            unsolved_.push_back({{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_in_one_point, {}}});
+            unsolved_.push_back(
+                {{lang::phrases::cut_of_bars, {truss_.names_of(bars)}}, {lang::phrases::cut_in_one_point, {}}});
     }
 }
 
@@ -86,7 +89,7 @@ bool Cuts::make_any() {
                     constexpr std::size_t least = 2;
                     if (side.size() < least || !reactions_known(side)) continue;
                     const KnownTruss::Mark before = truss_.mark();
-                    truss_.say(Sentence::truss_stuck, {truss_.names_of(bars)});
+                    truss_.say(lang::sentences::truss_stuck, {truss_.names_of(bars)});
                     if (make(bars, side, false)) return true;
                     truss_.rewind(before);
                 }
@@ -185,10 +188,10 @@ void Cuts::tell(const std::vector<int>& bars, const std::vector<int>& side, std:
     if (equation.pivot) {
         told.pivot_name = name_of_meet(*equation.pivot);
         told.pivot = Recorded<Vector>::at(equation.pivot->element);
-        truss_.say(Sentence::truss_cut_moment, {all, truss_.symbol_of(bar), one, two, PointName{told.pivot_name}},
-                   "Ritter");
+        truss_.say(lang::sentences::truss_cut_moment,
+                   {all, truss_.symbol_of(bar), one, two, PointName{told.pivot_name}}, "Ritter");
     } else {
-        truss_.say(Sentence::truss_cut_across, {all, truss_.symbol_of(bar), one, two}, "Ritter");
+        truss_.say(lang::sentences::truss_cut_across, {all, truss_.symbol_of(bar), one, two}, "Ritter");
     }
     told.moment = Recorded<Exact>::at(equation.moment.element);
     told.statement = truss_.statement();

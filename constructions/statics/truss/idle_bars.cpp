@@ -1,4 +1,5 @@
 #include "constructions/statics/truss/idle_bars.hpp"
+#include "lang/keys/sentences.hpp"
 
 #include <vector>
 
@@ -22,12 +23,12 @@ bool settle_idle_at(KnownTruss& truss, int pin) {
         truss.found().bars[at(bar)].idle_by_rule = true;
     };
     if (left.size() == 1) {
-        truss.say(Sentence::truss_idle_single, {truss.name_of(pin), truss.name_of_bar(left[0])});
+        truss.say(lang::sentences::truss_idle_single, {truss.name_of(pin), truss.name_of_bar(left[0])});
         is_idle(left[0]);
         return true;
     }
     if (left.size() == 2 && !in_line(left[0], left[1])) {
-        truss.say(Sentence::truss_idle_pair,
+        truss.say(lang::sentences::truss_idle_pair,
                   {truss.name_of(pin), truss.name_of_bar(left[0]), truss.name_of_bar(left[1])});
         is_idle(left[0]);
         is_idle(left[1]);
@@ -37,7 +38,7 @@ bool settle_idle_at(KnownTruss& truss, int pin) {
     for (std::size_t third = 0; third < 3; ++third) {
         const int one = left[(third + 1) % 3], two = left[(third + 2) % 3];
         if (!in_line(one, two) || in_line(left[third], one)) continue;
-        truss.say(Sentence::truss_idle_third,
+        truss.say(lang::sentences::truss_idle_third,
                   {truss.name_of(pin), truss.name_of_bar(left[third]), truss.name_of_bar(one), truss.name_of_bar(two)});
         is_idle(left[third]);
         return true;

@@ -93,7 +93,7 @@ Names KnownTruss::names_of(const std::vector<int>& bars) const {
     return names;
 }
 
-StatementIndex KnownTruss::say(Sentence sentence, std::vector<Argument> arguments, const char* source) {
+StatementIndex KnownTruss::say(Key sentence, std::vector<Argument> arguments, const char* source) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = Topic::forces;

@@ -72,7 +72,7 @@ public:
     PointName name_of_bar(int bar) const { return {truss_.bars[at(bar)].name}; }
     Names names_of(const std::vector<int>& bars) const;
 
-    StatementIndex say(Sentence sentence, std::vector<Argument> arguments, const char* source = "");
+    StatementIndex say(Key sentence, std::vector<Argument> arguments, const char* source = "");
     /// The last sentence.
     StatementIndex statement() const { return statement_; }
     Message& message() { return board_.statement(statement_).message; }

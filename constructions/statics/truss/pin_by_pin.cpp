@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {
 
@@ -77,13 +78,14 @@ void PinByPin::say(int pin, const std::vector<Unknown>& unknown) {
     }
     Message& message = truss_.message();
     if (reactions.empty()) {
-        message = {Sentence::truss_pin,
+        message = {lang::sentences::truss_pin,
                    {truss_.name_of(pin), truss_.names_of(bars), truss_.names_of(tension), truss_.names_of(compression),
                     truss_.names_of(idle)}};
     } else if (bars.empty()) {
-        message = {Sentence::truss_support, {truss_.name_of(pin), reactions}};
+        message = {lang::sentences::truss_support, {truss_.name_of(pin), reactions}};
     } else {
-        message = {Sentence::truss_bar_and_support, {truss_.name_of(pin), truss_.name_of_bar(bars[0]), reactions[0]}};
+        message = {lang::sentences::truss_bar_and_support,
+                   {truss_.name_of(pin), truss_.name_of_bar(bars[0]), reactions[0]}};
     }
 }
 
@@ -92,7 +94,7 @@ bool PinByPin::resolve(int pin) {
     const auto free = std::count_if(unknown.begin(), unknown.end(), [](const Unknown& each) { return !each.along; });
     if (unknown.empty() || unknown.size() + static_cast<std::size_t>(free) > 2) return false;
     const KnownTruss::Mark before = truss_.mark();
-    truss_.say(Sentence::truss_pin, {}, "Cremona");
+    truss_.say(lang::sentences::truss_pin, {}, "Cremona");
     if (!close(pin, unknown)) {
         truss_.rewind(before);
         return false;
@@ -112,7 +114,7 @@ bool PinByPin::check_rest() {
             std::any_of(bars.begin(), bars.end(), [&](int bar) { return truss_.bar(bar).pull.has_value(); }))
             closed.push_back(truss_.name_of(pin).name);
     }
-    if (!closed.empty()) truss_.say(Sentence::truss_closes, {closed});
+    if (!closed.empty()) truss_.say(lang::sentences::truss_closes, {closed});
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/file/units.hpp"
 #include "engine/number/geometry.hpp"
 #include "engine/solution/shifts.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::worked_arithmetic {
 
@@ -33,7 +34,8 @@ void OfForces::force_found(StatementIndex statement, const FreeBody& body, const
 /// of the two parallels.
 void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody& body, const AppliedForce& found) {
     const Message& said = telling_.message(statement);
-    if (said.sentence != Sentence::parallel_forces || std::get<Symbol>(said.arguments[1]) != found.symbol) return;
+    if (said.sentence != lang::sentences::parallel_forces || std::get<Symbol>(said.arguments[1]) != found.symbol)
+        return;
     const auto is_of_it = [&](const Working& told) { return told.of == found.symbol; };
     if (std::any_of(said.worked_arithmetic.begin(), said.worked_arithmetic.end(), is_of_it)) return;
     const auto other = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
@@ -120,9 +122,9 @@ void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
 }
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {
-    const Sentence said = telling_.message(statement).sentence;
-    return said == Sentence::moments_alone || said == Sentence::components_alone ||
-           said == Sentence::translation_alone || said == Sentence::virtual_work_alone;
+    const Key said = telling_.message(statement).sentence;
+    return said == lang::sentences::moments_alone || said == lang::sentences::components_alone ||
+           said == lang::sentences::translation_alone || said == lang::sentences::virtual_work_alone;
 }
 
 /// If the factors' units give another unit than the result's, adds the conversion factor: 1000 for kN, 386.1 for pounds
@@ -162,8 +164,8 @@ void OfForces::inertia(StatementIndex statement) {
 }
 
 void OfForces::stretched(StatementIndex statement) {
-    const Sentence sentence = telling_.message(statement).sentence;
-    if (sentence != Sentence::elastic_spring && sentence != Sentence::torsion_spring) return;
+    const Key sentence = telling_.message(statement).sentence;
+    if (sentence != lang::sentences::elastic_spring && sentence != lang::sentences::torsion_spring) return;
     const Symbol of = std::get<Symbol>(telling_.message(statement).arguments[0]);
     for (const Load& load : solution_.mechanism.loads) {
         if (const auto* torsion = std::get_if<TorsionLoad>(&load); torsion != nullptr && torsion->name == of.about) {
@@ -183,7 +185,7 @@ void OfForces::stretched(StatementIndex statement) {
 
 void OfForces::distributed(StatementIndex statement) {
     const Message& said = telling_.message(statement);
-    if (said.sentence != Sentence::distributed_load) return;
+    if (said.sentence != lang::sentences::distributed_load) return;
     const Symbol of = std::get<Symbol>(said.arguments[1]);
     for (const Load& load : solution_.mechanism.loads) {
         const auto* over = std::get_if<DistributedLoad>(&load);
@@ -268,7 +270,7 @@ std::vector<Telling::Product> OfForces::moments_on_side(const Truss::Cut& cut) c
 }
 
 void OfForces::resultant_found(const AppliedForce& sum) {
-    if (telling_.message(sum.force_statement).sentence == Sentence::known_resultant)
+    if (telling_.message(sum.force_statement).sentence == lang::sentences::known_resultant)
         telling_.tell(sum.force_statement, sum.symbol, {}, std::nullopt, in(length(sum.force), units_.force),
                       units_.force);
 }
@@ -276,7 +278,7 @@ void OfForces::resultant_found(const AppliedForce& sum) {
 /// Whether this is the sentence that offsets a force.
 bool OfForces::moves(StatementIndex statement, const Symbol& force) const {
     const Message& said = telling_.message(statement);
-    return said.sentence == Sentence::inertia_moved && std::get<Symbol>(said.arguments[1]) == force;
+    return said.sentence == lang::sentences::inertia_moved && std::get<Symbol>(said.arguments[1]) == force;
 }
 
 void OfForces::added_up(const FreeBody& body) {
@@ -322,7 +324,7 @@ void OfForces::superposed(const Superposition& superposition) {
 void OfForces::by_moments(const VirtualMotion& motion) {
     const double force = length(*motion.force);
     std::optional<double> arm;
-    if (telling_.message(motion.statement).sentence == Sentence::moments_alone)
+    if (telling_.message(motion.statement).sentence == lang::sentences::moments_alone)
         for (const FreeBody& body : solution_.free_bodies)
             for (const FreeBody::Arm& each : body.arms)
                 if (each.statement == motion.statement && each.is_sought) arm = distance(each.about, each.foot);
@@ -337,7 +339,7 @@ void OfForces::by_virtual_work(const VirtualMotion& motion) {
         telling_.tell(motion.statement, motion.sought, {}, std::nullopt, in(motion.couple->to_double(), units_.moment),
                       units_.moment);
     if (motion.force) by_moments(motion);
-    if (said.sentence != Sentence::virtual_work_alone) return;
+    if (said.sentence != lang::sentences::virtual_work_alone) return;
     const VirtualMotion::Turning* first = nullptr;
     const bool one_centre = std::get<Names>(said.arguments[2]).size() == 1;
     Ratios ratios;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/geometry.hpp"
+#include "lang/keys/sentences.hpp"
 
 namespace kinegraph::worked_arithmetic {
 
@@ -13,16 +14,17 @@ void OfMotion::add_slidings() {
     auto velocity = solution_.sliding.begin(), acceleration = velocity;
     for (const StatementIndex statement : indices_of(protocol_.statements)) {
         Message& said = telling_.message(statement);
-        if (said.sentence == Sentence::slide_velocity_on_rest) ++velocity;
-        if (said.sentence == Sentence::slide_velocity) slides(statement, (velocity++)->velocity, units_.velocity);
-        const bool on_rest = said.sentence == Sentence::slide_acceleration_on_rest;
-        if (!on_rest && said.sentence != Sentence::slide_acceleration) continue;
+        if (said.sentence == lang::sentences::slide_velocity_on_rest) ++velocity;
+        if (said.sentence == lang::sentences::slide_velocity)
+            slides(statement, (velocity++)->velocity, units_.velocity);
+        const bool on_rest = said.sentence == lang::sentences::slide_acceleration_on_rest;
+        if (!on_rest && said.sentence != lang::sentences::slide_acceleration) continue;
         while (!acceleration->acceleration) ++acceleration;
         const Sliding& sliding = *acceleration++;
         if (on_rest) continue;
         const double coriolis = length(*sliding.coriolis);
         if (magnitudes_.is_noise({.kind = Quantity::Kind::sliding_coriolis, .joint = sliding.joint}, coriolis)) {
-            said.sentence = Sentence::slide_acceleration_without_coriolis;
+            said.sentence = lang::sentences::slide_acceleration_without_coriolis;
         } else {
             Symbol symbol = std::get<Symbol>(said.arguments[0]);
             symbol.term = "cor";
@@ -43,11 +45,11 @@ void OfMotion::slides(StatementIndex statement, const Recorded<Vector>& found, c
 
 void OfMotion::drawn(const DrawnVector& vector) {
     const Message& said = telling_.message(vector.statement);
-    if (said.sentence == Sentence::auxiliary_point) tell_place(vector);
-    const bool alike =
-        said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
+    if (said.sentence == lang::sentences::auxiliary_point) tell_place(vector);
+    const bool alike = said.sentence == lang::sentences::translating_velocity ||
+                       said.sentence == lang::sentences::translating_acceleration;
     // A crank with uniform rotation has only its normal part, which is given.
-    const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
+    const bool uniform = said.sentence == lang::sentences::crank_acceleration && said.arguments.size() == 5;
     if (alike || (vector.role == Role::absolute && uniform)) return;
     const Unit& unit = unit_of(vector);
     const double si = protocol_.modulus_of(vector), value = in(si, unit);
@@ -57,7 +59,7 @@ void OfMotion::drawn(const DrawnVector& vector) {
     Factors factors = known ? factors_of(vector, si) : Factors{};
     // A known term of an equation needs no value unless there is arithmetic.
     if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
-    if (said.sentence == Sentence::crank_velocity && !factors.empty())
+    if (said.sentence == lang::sentences::crank_velocity && !factors.empty())
         telling_.tell_given_turning(vector.statement, std::get<Symbol>(said.arguments[4]),
                                     telling_.spin(vector.body, Symbol::Letter::omega));
     telling_.tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
@@ -79,7 +81,8 @@ std::optional<Vector> OfMotion::auxiliary_named(const std::string& name) const {
     for (const DrawnVector& vector : protocol_.vectors) {
         if (vector.statement == none) continue;
         const Message& said = protocol_.statements[at_index(vector.statement)].message;
-        if (said.sentence != Sentence::auxiliary_point || std::get<Symbol>(said.arguments[0]).about != name) continue;
+        if (said.sentence != lang::sentences::auxiliary_point || std::get<Symbol>(said.arguments[0]).about != name)
+            continue;
         if (vector.seen.of.place == none) continue;
         if (const ProjectivePoint& point = protocol_.point(vector.seen.of.place); !point.at_infinity())
             return point.place();
@@ -112,13 +115,14 @@ Factors OfMotion::factors_of(const DrawnVector& vector, double si) {
     switch (vector.role) {
         case Role::absolute:
             // The crank of the sentence: from its pivot with its ω.
-            if (telling_.message(vector.statement).sentence == Sentence::crank_velocity && turning(vector.body) > 0)
+            if (telling_.message(vector.statement).sentence == lang::sentences::crank_velocity &&
+                turning(vector.body) > 0)
                 return {{turning(vector.body)}, {in(si / turning(vector.body), unit)}};
             return {};
         case Role::normal: return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
         case Role::tangential:
             // Here α follows from the vector.
-            if (telling_.message(vector.statement).sentence == Sentence::alpha_from_pair) return {};
+            if (telling_.message(vector.statement).sentence == lang::sentences::alpha_from_pair) return {};
             return {{std::abs(
                         telling_.spin(vector.body, protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity
                                                        ? Symbol::Letter::omega
@@ -155,13 +159,16 @@ void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity,
         else
             telling_.tell(statement, of, std::move(factors), divisor, result, per_second_squared);
     };
-    if (said.sentence == Sentence::omega_by_fixed_guide || said.sentence == Sentence::alpha_by_fixed_guide) return;
+    if (said.sentence == lang::sentences::omega_by_fixed_guide ||
+        said.sentence == lang::sentences::alpha_by_fixed_guide)
+        return;
     if (magnitudes_.is_noise(quantity, value)) return tell({}, std::nullopt, 0);
     Factors factors;
     std::optional<double> divisor;
-    const bool from_pair = said.sentence == Sentence::omega_from_pair || said.sentence == Sentence::alpha_from_pair;
-    const bool from_parallels =
-        said.sentence == Sentence::omega_from_parallels || said.sentence == Sentence::alpha_from_parallels;
+    const bool from_pair =
+        said.sentence == lang::sentences::omega_from_pair || said.sentence == lang::sentences::alpha_from_pair;
+    const bool from_parallels = said.sentence == lang::sentences::omega_from_parallels ||
+                                said.sentence == lang::sentences::alpha_from_parallels;
     if (from_pair || from_parallels)
         if (const auto lever = segment_length(std::get<Segment>(said.arguments[from_pair ? 2 : 1]))) {
             const Unit& linear = omega ? units_.velocity : units_.acceleration;
@@ -185,7 +192,7 @@ std::optional<double> OfMotion::segment_length(const Segment& segment) const {
 void OfMotion::carried_over(const SecondWay& way) {
     for (const StatementIndex statement : indices_of(protocol_.statements)) {
         const Message& said = telling_.message(statement);
-        if (said.sentence != Sentence::second_way || !way.omega) continue;
+        if (said.sentence != lang::sentences::second_way || !way.omega) continue;
         const Symbol of = std::get<Symbol>(said.arguments[0]);
         if (of.about != solution_.mechanism.bodies[at_index(way.body)].name) continue;
         const BodyIndex driver = *solution_.mechanism.body_named(std::get<Symbol>(said.arguments[4]).about);
