@@ -18,10 +18,13 @@ namespace kinegraph {
 /// Languages of sentences, sheets and messages.
 enum class Language {
     en,  ///< English
-    it   ///< Italian
+    it,  ///< Italian
+    fr,  ///< French
+    de,  ///< German
+    es   ///< Spanish
 };
 /// All languages, in the order of Language.
-inline constexpr std::array languages{Language::en, Language::it};
+inline constexpr std::array languages{Language::en, Language::it, Language::fr, Language::de, Language::es};
 /// BCP 47: "en".
 std::string code_of(Language language);
 /// The language of a code, upper or lower case; English for an unknown code.
