@@ -163,14 +163,18 @@ std::string in_quotes(const std::string& text) {
     }
     return quoted + '"';
 }
-std::string title_of(const Cam& cam, double turn) {
-    const std::string at = " (" + written(turn * 180 / std::numbers::pi) + "°)";
-    const Words title = cam.title.empty() ? Words(lang::cams::disc_cam) : cam.title;
+/// {"en": …, "it": …}: a language that says what English says is left out.
+std::string in_languages(const Words& words) {
     std::string members;
     for (const Language language : languages)
-        members +=
-            (members.empty() ? "" : ", ") + in_quotes(code_of(language)) + ": " + in_quotes(title.in(language) + at);
+        if (language == Language::en || words.in(language) != words.in(Language::en))
+            members +=
+                (members.empty() ? "" : ", ") + in_quotes(code_of(language)) + ": " + in_quotes(words.in(language));
     return "{" + members + "}";
+}
+std::string title_of(const Cam& cam, double turn) {
+    const std::string at = " (" + written(turn * 180 / std::numbers::pi) + "°)";
+    return in_languages((cam.title.empty() ? Words(lang::cams::disc_cam) : cam.title) + at);
 }
 
 /// Writes the file; lengths in the cam's own unit.
@@ -246,16 +250,16 @@ private:
     std::string cam_body() const {
         if (is_round_about_origin_)
             return "{\"points\": [\"O\"], \"circle\": {\"centre\": \"O\", \"radius\": " +
-                   written(1 / state_.curvature / unit_) + "}, \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
+                   written(1 / state_.curvature / unit_) + "}, \"label\": " + in_languages(lang::cams::cam) + "}";
         const bool is_disc =
             !is_straight_ && state_.curvature > 0 && state_.curvature * cam_.base_circle.to_double() > 0.3;
         std::string body = is_straight_ ? "{\"points\": [\"O\"]" : "{\"points\": [\"O\", \"K\"]";
         if (is_disc)
             body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
-        return body + ", \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
+        return body + ", \"label\": " + in_languages(lang::cams::cam) + "}";
     }
     std::string follower_body() const {
-        const std::string label = ", \"label\": {\"en\": \"follower\", \"it\": \"punteria\"}}";
+        const std::string label = ", \"label\": " + in_languages(lang::cams::follower) + "}";
         const std::string guide = translates() ? "H" : "Q";
         if (cam_.follower.face == Follower::Face::roller)
             return "{\"points\": [\"C\", \"" + guide + "\"], \"circle\": {\"centre\": \"C\", \"radius\": " +

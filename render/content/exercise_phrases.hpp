@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 
 namespace kinegraph::render {
@@ -56,7 +55,7 @@ protected:
     /// Between points that the file names, otherwise by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const;
     RichText positive_sense(const Bearing& of) const;
-    /// "on body 3", lang::sheet::from_the_frame.
+    /// "on body 3", "from the frame".
     RichText subject_of_action(BodyIndex body, std::string_view preposition) const;
 
     const DrawingContext& context_;

@@ -1,5 +1,4 @@
 #include "lang/keys/equations.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/equations/equation_chapters.hpp"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/impact.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"

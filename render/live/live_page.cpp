@@ -12,7 +12,6 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "lang/keys/live.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
 #include "render/content/title_block.hpp"
@@ -21,6 +20,7 @@
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
+#include "lang/keys/notation.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/contacts.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/problems/problem_sheet.hpp"
 
 namespace kinegraph::render {

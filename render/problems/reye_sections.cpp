@@ -5,7 +5,6 @@
 
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/reye.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"

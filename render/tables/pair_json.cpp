@@ -6,7 +6,6 @@
 #include "engine/file/json_text.hpp"
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::render {

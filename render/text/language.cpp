@@ -1,5 +1,6 @@
 // Languages: see language.hpp.
 #include "render/text/language.hpp"
+#include "lang/keys/notation.hpp"
 
 #include <algorithm>
 #include <array>

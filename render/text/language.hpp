@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "lang/keys/notation.hpp"
 #include "lang/words.hpp"
 
 namespace kinegraph::render {

@@ -7,9 +7,9 @@
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/mobility.hpp"
 #include "engine/sentences/statement.hpp"
-#include "lang/keys/sheet.hpp"
 #include "render/text/language.hpp"
 #include "render/text/text.hpp"
+#include "lang/keys/sheet.hpp"
 
 namespace kinegraph::render {
 
@@ -41,8 +41,7 @@ std::string shortest(double value, Language language);
 /// "mechanism", "hyperstatic, 2 times", …: the verdict of the rank on the structure in this pose.
 std::string verdict_words(const Mobility& mobility, Language language);
 
-/// Headings and fixed words by key (lang::sheet::velocity_polygon, "results", "numeric", …). An unknown key trips an
-/// assertion.
+/// A heading or a fixed word.
 std::string word(Key key, Language language);
 /// The same with its placeholders {0}, {1} … filled.
 RichText word(Key key, const std::vector<RichText>& parts, Language language);

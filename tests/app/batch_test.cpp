@@ -143,7 +143,7 @@ TEST_F(Batch, WrongLinesSayWhyAndStopNothing) {
         {R"({"file": "crank.json", "want": ["pdf"]})", "say with \"to\" where they go"},
         {R"({"file": "crank.json", "to": "a/"})", "/to: names no file"},
         {R"({"file": "crank.json", "to": "crank"})", "would overwrite the mechanism file"},
-        {R"({"file": "crank.json", "lang": "de"})", "/lang: one of \"en\" and \"it\""},
+        {R"({"file": "crank.json", "lang": "nl"})", "/lang: one of \"en\", \"it\", \"fr\", \"de\" and \"es\""},
         {R"({"file": "crank.json", "dpi": 5, "want": ["png"], "to": "a"})", "/dpi: a number from 20 to 1200"},
         {R"({"file": "crank.json", "theme": "none"})", "none: cannot be read"},
         {R"({"file": "crank.json", "figure": "nose", "want": ["svg"]})", "there is no such figure"},

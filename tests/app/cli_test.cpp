@@ -56,7 +56,7 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
          "kinegraph: -o four_bar.json would overwrite the mechanism file itself"},
         {"solve four_bar.json -o ./four_bar.json", "kinegraph: .*would overwrite the mechanism file itself"},
         {"solve four_bar.json -o a.png --format gif", "kinegraph: --format.*"},
-        {"solve four_bar.json -o a.svg --lang de", "kinegraph: --lang.*"},
+        {"solve four_bar.json -o a.svg --lang nl", "kinegraph: --lang.*"},
         {"solve four_bar.json -o a.svg --paper A5", "kinegraph: --paper.*"},
         {"solve four_bar.json -o a.svg --orientation askew", "kinegraph: --orientation.*"},
         {"solve four_bar.json -o a.svg --figure forces",
@@ -72,7 +72,7 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve \"$(printf 'a\\nb\\033.json')\" -o a.svg", R"(a\\nb\\x1b.json: cannot be read: .*)"},
         {"check absent.json", "absent.json: cannot be read: No such file or directory"},
         {"pairs absent.json", "absent.json: cannot be read: No such file or directory"},
-        {"pairs --lang de", "kinegraph: --lang.*"},
+        {"pairs --lang nl", "kinegraph: --lang.*"},
         {"pairs --format csv", "kinegraph: --format.*"},
     };
     for (const auto& row : rows) {
