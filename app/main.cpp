@@ -698,13 +698,15 @@ int main(int count, char** arguments) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
-    const Words ours(lang::command_line::this_is_a_fault_of_ours_2);
+    // Said before there is a fault: where memory lacks, the texts could not be read.
+    const std::string ours = lang::command_line::this_is_a_fault_of_ours_2.in(language),
+                      out_of_memory = ours + lang::command_line::out_of_memory.in(language);
     try {
         return static_cast<int>(run(count, arguments, language));
     } catch (const std::bad_alloc&) {
-        refuse(ours + Words(lang::command_line::out_of_memory), language);
+        refuse(out_of_memory, language);
     } catch (const std::exception& fault) {
-        refuse(ours + std::string(": ") + std::string(fault.what()), language);
+        refuse(ours + ": " + fault.what(), language);
     } catch (...) {
         refuse(ours, language);
     }

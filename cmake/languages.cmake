@@ -22,6 +22,11 @@ endfunction()
 function(read_language language text)
     set(heads)
     set(names)
+    string(REGEX REPLACE "(^|\n)(#[^\n]*| [^\n]*|== [a-z_]+ ==|[a-z][a-z0-9_]* = [^\n]+)" "\\1" rest "${text}")
+    string(REGEX REPLACE "\n+" "" rest "${rest}")
+    if(rest)
+        message(FATAL_ERROR "lang/${language}.txt: \"${rest}\" is no comment, heading, `key = text` or continuation")
+    endif()
     string(REGEX MATCHALL "\n== [a-z_]+ ==\n" headings "\n${text}")
     foreach(heading IN LISTS headings)
         string(REGEX REPLACE "[\n= ]" "" section "${heading}")
@@ -88,7 +93,10 @@ namespace kinegraph::lang {
 extern const Section ${section}_section;
 namespace ${section} {
 ")
-    string(REGEX MATCHALL "\n[a-z][a-z0-9_]* =" names "\n${en_${section}}")
+    set(names)
+    if(NOT section STREQUAL "cases")  # another language has other cases
+        string(REGEX MATCHALL "\n[a-z][a-z0-9_]* =" names "\n${en_${section}}")
+    endif()
     set(index 0)
     foreach(name IN LISTS names)
         string(REGEX REPLACE "[\n= ]" "" name "${name}")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <utility>
 
 #include "lang/keys/notation.hpp"
@@ -35,7 +36,7 @@ std::string unescaped(std::string text) {
 const Section::Texts& Section::read(Language language) const {
     const auto place = static_cast<std::size_t>(language);
     std::call_once(once_.at(place), [&] {
-        Texts& into = texts_.at(place);
+        Texts into;
         std::string_view rest = sources_.at(place);
         std::string text;
         const auto finish = [&] {
@@ -56,6 +57,7 @@ const Section::Texts& Section::read(Language language) const {
             text = trimmed(line.substr(std::min(equals + 1, line.size())));
         }
         finish();
+        texts_.at(place) = std::move(into);  // whole, or not at all where memory lacks
     });
     return texts_.at(place);
 }
@@ -183,6 +185,7 @@ Words library_message(const std::string& english, const lang::Section& fragments
         said = english;
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             const std::string &from = fragments.text(i, Language::en), &to = fragments.text(i, language);
+            if (from.empty()) throw std::logic_error("a fragment of a message has no text");
             for (std::size_t at = said.find(from); at != std::string::npos; at = said.find(from, at + to.size()))
                 said.replace(at, from.size(), to);
         }

@@ -91,7 +91,7 @@ std::string verdict(const Side& expected, const Side& actual, const PictureCompa
             line += {lang::command_line::but_for_antialiasing_pixels, text(difference.forgiven)};
     } else {
         line += {lang::command_line::of_the_pixels_differ_of_columns,
-                 digits(100 * difference.share()),
+                 decimal_words(digits(100 * difference.share())),
                  text(difference.differing),
                  text(static_cast<long>(difference.width) * difference.height),
                  text(difference.left),

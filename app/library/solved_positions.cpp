@@ -85,8 +85,7 @@ tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsW
 void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
     Words& title = mechanism.title;
     if (title.empty()) title = mechanism.source;
-    title = render::in_all([&](Language language) { return in(title, language); }) +
-            Words(lang::library::name_with_value, driver, turn);
+    title += Words(lang::library::name_with_value, driver, turn);
 }
 
 }  // namespace

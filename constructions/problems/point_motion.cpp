@@ -134,8 +134,7 @@ struct MotionFaults {
     }
     /// `order`: of the derivative.
     static Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) {
-        static const std::array<Words, 3> orders{Words(lang::point_motion::as_it_is, std::string()),
-                                                 Words(lang::point_motion::the_velocity),
+        static const std::array<Words, 3> orders{Words(), Words(lang::point_motion::the_velocity),
                                                  Words(lang::point_motion::the_acceleration)};
         const Words how = is_infinite ? Words(lang::point_motion::is_infinite)
                                       : Words(lang::point_motion::is_not_real_or_is_infinite);

@@ -165,16 +165,12 @@ Words FormReader::words(JsonValue value) {
         const Members by_language = members(value, codes, {lang::forms::a_text_in_several_languages});
         // A language that lacks it takes the first of the others.
         std::string otherwise;
-        bool any = false;
         Text text;
         for (std::size_t i = codes.size(); i-- > 0;)
-            if (by_language[codes[i]]) {
-                otherwise = text.by_language.at(i) = line(by_language[codes[i]]);
-                any = true;
-            }
-        if (!any) wants_a_language(by_language);
-        for (std::string& each : text.by_language)
-            if (each.empty()) each = otherwise;
+            if (by_language[codes[i]]) otherwise = text.by_language.at(i) = line(by_language[codes[i]]);
+        require_a_language(by_language);
+        for (std::size_t i = 0; i < codes.size(); ++i)
+            if (!by_language[codes[i]]) text.by_language.at(i) = otherwise;
         result = text;
     } else {
         wrong(value, {lang::forms::a_text_or_en});
@@ -182,7 +178,7 @@ Words FormReader::words(JsonValue value) {
     return result;
 }
 
-void FormReader::wants_a_language(const Members& by_language) {
+void FormReader::require_a_language(const Members& by_language) {
     const bool has_one = std::any_of(languages.begin(), languages.end(), [&](Language language) {
         return by_language.has_or_misspells(lang::notation::code.in(language));
     });

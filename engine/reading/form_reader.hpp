@@ -98,7 +98,8 @@ public:
     /// A moving body: the frame is rejected with the message `why`.
     BodyIndex moving_body(JsonValue value, const Words& why);
     Words words(JsonValue value);
-    void wants_a_language(const Members& by_language);
+    /// Reports a fault if a text is given in no language.
+    void require_a_language(const Members& by_language);
 
     // ----- parameters
     /// Reads every parameter here, so that its faults are reported even if it is unused. `set` overrides the file's

@@ -1,6 +1,6 @@
 // The live page: a solution as one self-contained HTML file. It has the figures, sentences, tables and equations in
-// both languages, and the construction as data, which a small interpreter (the .js files in this folder) replays when
-// the reader moves the mechanism. Computes no mechanics.
+// the languages of the page, and the construction as data, which a small interpreter (the .js files in this folder)
+// replays when the reader moves the mechanism. Computes no mechanics.
 //
 // Guarantees: the file loads nothing; its Content-Security-Policy allows only its own script and style sheet (by their
 // hashes); names from the input file are always escaped text.

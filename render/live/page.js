@@ -26,7 +26,7 @@ class Page {
         this.allCells = {};
         this.completeDrawings();
     }
-    /** Drawings that are equal in both languages were sent with the first only. */
+    /** Drawings that are equal in the languages of the page were sent with the first only. */
     completeDrawings() {
         const sent = document.querySelectorAll('main:first-of-type .figures svg *');
         for (const stand of document.querySelectorAll('[data-as]')) {

@@ -83,7 +83,7 @@ private:
                     drawing::given_number(follower.pivot.y.to_double() / unit, language_), language_);
         add(line, lang::sheet::pivot, one_piece("Q", Face::italic),
             with_powers(place + " " + cam_.units.length.symbol));
-        if (!is_flat) add(line, lang::sheet::arm, {}, length(follower.arm));
+        if (!is_flat) add(line, lang::sheet::arm_of_follower, {}, length(follower.arm));
         return line;
     }
     /// β is not an angle of the drawing, where angles are positive counter-clockwise.

@@ -131,8 +131,7 @@ private:
             card.lines.push_back(fact(say({lang::pairs::closure}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
-        section.closing = in_all([](Language language) { return word(lang::sheet::axes_of_pairs, language); }) +
-                          Words(lang::pairs::a_couple_is_a_vector);
+        section.closing = Words(lang::sheet::axes_of_pairs) + Words(lang::pairs::a_couple_is_a_vector);
         return section;
     }
 
@@ -294,8 +293,7 @@ private:
 
 std::vector<Page> lay_out_catalogue(const SheetOptions& options, const Fonts& fonts) {
     Solution solution;
-    solution.mechanism.title =
-        in_all([](Language language) { return word(lang::sheet::catalogue_of_pairs, language); });
+    solution.mechanism.title = Words(lang::sheet::catalogue_of_pairs);
     const DrawingContext context{solution, options.theme, fonts, options.language, Dimensions::off};
     const CatalogueText text(context);
     return CatalogueSheet(context, options).pages(text.sections());

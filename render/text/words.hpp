@@ -9,7 +9,6 @@
 #include "engine/sentences/statement.hpp"
 #include "render/text/language.hpp"
 #include "render/text/text.hpp"
-#include "lang/keys/sheet.hpp"
 
 namespace kinegraph::render {
 

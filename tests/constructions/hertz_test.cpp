@@ -1,4 +1,4 @@
-// Hertz's contact: published numbers and limits, agreement with the quadrature, invariance, sheets in both languages.
+// Hertz's contact: published numbers and limits, agreement with the quadrature, invariance, sheets in two languages.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>

@@ -51,7 +51,7 @@ std::string spaced(std::string name) {
     return name;
 }
 
-/// Units and letters that no language translates, and names of persons.
+/// Names of a format, of the product and of a person.
 const std::set<std::string>& untranslated() {
     static const std::set<std::string> words{"json", "kinegraph", "coriolis"};
     return words;

@@ -1,4 +1,4 @@
-// The sheets of contact, wear and impact: clean pages in both languages on every paper, steps, figures alone, results;
+// The sheets of contact, wear and impact: clean pages in two languages on every paper, steps, figures alone, results;
 // what other commands say of such files.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 

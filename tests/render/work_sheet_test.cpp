@@ -1,4 +1,4 @@
-// Sheets of virtual work and of relative motions taken apart: figures and tables are there in both languages, nothing
+// Sheets of virtual work and of relative motions taken apart: figures and tables are there in two languages, nothing
 // is cut or covered; what a question says of them.
 #include <gtest/gtest.h>
 
