@@ -699,8 +699,8 @@ int main(int count, char** arguments) {
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
     // Said before there is a fault: where memory lacks, the texts could not be read.
-    const std::string ours = lang::command_line::this_is_a_fault_of_ours_2.in(language),
-                      out_of_memory = ours + lang::command_line::out_of_memory.in(language);
+    const std::string& ours = lang::command_line::this_is_a_fault_of_ours_2.in(language);
+    const std::string out_of_memory = ours + lang::command_line::out_of_memory.in(language);
     try {
         return static_cast<int>(run(count, arguments, language));
     } catch (const std::bad_alloc&) {

@@ -115,7 +115,7 @@ Words::Words(const Text& text) : form_(Form::by_language) {
 
 bool Words::empty() const {
     switch (form_) {
-        case Form::text_of_key: return false;
+        case Form::text_of_key:
         case Form::by_language: return false;
         case Form::pattern: return text_.empty();
         case Form::in_a_row:
