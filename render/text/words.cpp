@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "engine/number/assert.hpp"
-#include "engine/number/index.hpp"
 #include "lang/keys/cases.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/text/joined_names.hpp"
@@ -631,7 +630,9 @@ RichText word(Key key, const std::vector<RichText>& parts, Language language) {
         const std::size_t open = std::min(pattern.find('{', i), pattern.size());
         if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
         if (open == pattern.size()) break;
-        append(text, parts[at_index(pattern[open + 1] - '0')]);
+        const auto place = static_cast<std::size_t>(pattern[open + 1] - '0');
+        KG_ASSERT(place < parts.size(), "the text " + key.name() + " has a part for each of its places");
+        append(text, parts[place]);
         i = open + 3;
     }
     return text;
