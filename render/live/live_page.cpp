@@ -12,6 +12,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
 #include "render/content/title_block.hpp"
@@ -20,7 +21,6 @@
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
-#include "lang/keys/notation.hpp"
 
 namespace kinegraph::render {
 namespace {
