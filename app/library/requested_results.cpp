@@ -1,6 +1,7 @@
 #include "app/library/requested_results.hpp"
 
 #include "engine/mechanism/exercise.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph::app {
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/file/spelling.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
@@ -33,15 +34,13 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
         for (const Column& column : columns)
             if (column.kind == Column::Kind::angle) subject = column.quantity;
     for (std::size_t i = 0; i < columns.size(); ++i)
-        if (columns[i].quantity.kind == Quantity::Kind::effort) plots.push_back({i});
+        if (result_kind(columns[i].quantity).subject == ResultKind::Subject::effort) plots.push_back({i});
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Quantity& q = columns[i].quantity;
         if (!subject || q.kind == Quantity::Kind::unnamed) continue;
         const bool slides =
-            subject->joint != none && q.joint == subject->joint &&
-            (q.kind == Quantity::Kind::sliding_velocity || q.kind == Quantity::Kind::sliding_acceleration);
-        const bool turns = subject->joint == none && q.body == subject->body &&
-                           (q.kind == Quantity::Kind::omega || q.kind == Quantity::Kind::alpha);
+            subject->joint != none && q.joint == subject->joint && result_kind(q).subject == ResultKind::Subject::joint;
+        const bool turns = subject->joint == none && q.body == subject->body && result_kind(q).turns();
         if (slides || turns) plots.push_back({i});
     }
     return plots;

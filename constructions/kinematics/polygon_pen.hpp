@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/board/board.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
 
@@ -25,7 +26,7 @@ Symbol spin_symbol(std::string body) {
 }
 template <Plane plane>
 Quantity spin_quantity(BodyIndex body) {
-    return {.kind = is_velocity<plane> ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = body};
+    return is_velocity<plane> ? omega_of(body) : alpha_of(body);
 }
 /// The quantity that a vector of a polygon represents.
 template <Plane plane>

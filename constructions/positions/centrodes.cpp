@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constructions/positions/cycle.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
 namespace {
@@ -53,7 +54,7 @@ std::optional<BodyColumns> columns_of(const std::vector<Column>& columns, const 
             if (columns[i].kind == kind && columns[i].quantity == quantity) return i;
         return std::nullopt;
     };
-    const auto omega = index_of(Column::Kind::result, {.kind = Kind::omega, .body = body});
+    const auto omega = index_of(Column::Kind::result, omega_of(body));
     if (!omega) return std::nullopt;
     found.omega = *omega;
     for (std::size_t i = 0; i < columns.size(); ++i) {

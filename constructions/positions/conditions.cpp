@@ -6,6 +6,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/positions.hpp"
 
 namespace kinegraph {

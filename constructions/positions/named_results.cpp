@@ -7,8 +7,10 @@
 #include "constructions/positions/cycle.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "engine/solution/result_values.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/positions.hpp"
 
@@ -28,14 +30,15 @@ bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
 std::string subject_of(const Quantity& q, const Solution& solution) {
     const Mechanism& m = solution.mechanism;
     const auto body = [&](BodyIndex index) { return m.body(index).name; };
-    if (q.kind == Kind::velocity || q.kind == Kind::acceleration) {
+    const ResultKind::Subject subject = result_kind(q).subject;
+    if (subject == ResultKind::Subject::point) {
         const bool several =
             std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& motion) {
                 return motion.point == q.point && has_several_carriers(solution, motion);
             });
         return m.point(q.point).name + (several ? " on " + body(q.body) : "");
     }
-    if (q.kind != Kind::sliding_velocity && q.kind != Kind::sliding_acceleration) return {};
+    if (subject != ResultKind::Subject::joint) return {};
     const Joint& joint = m.joint(q.joint);
     const bool shared = joint.pair().touches() &&
                         std::any_of(solution.sliding.begin(), solution.sliding.end(), [&](const Sliding& other) {
@@ -99,7 +102,6 @@ private:
         }
     }
     void add_modulus(const FoundValue& each) {
-        if (each.quantity.kind == Kind::sliding_velocity || each.quantity.kind == Kind::sliding_acceleration) return;
         Column column = modulus_column(each.quantity, solution_.mechanism, subject_of(each.quantity, solution_));
         const auto is_taken = [&](const NamedResult& other) { return other.column.name == column.name; };
         if (std::any_of(results_.begin(), results_.end(), is_taken)) return;
@@ -136,7 +138,6 @@ const NamedResult* result_named(const std::vector<NamedResult>& results, const s
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions) {
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
-        if (!found) return;
         values.push_back({quantity, found.element(), {}, 0, {}});
         if constexpr (requires { found->x; }) {
             values.back().vector = to_double(*found);
@@ -146,38 +147,23 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
             values.back().exact = *found;
         }
     };
-    const auto add_both = [&](const Quantity& quantity, const auto& found) {
+    std::vector<Quantity> actions;
+    const auto is_reaction = [&](const Quantity& of) {
+        return std::any_of(actions.begin(), actions.end(), [&](const Quantity& other) {
+            return other.joint == of.joint && other.body == of.other && other.other == of.body;
+        });
+    };
+    for_each_result(solution, [&](const Quantity& quantity, const auto& found) {
+        const ResultKind& kind = result_kind(quantity);
+        if (kind.column.empty()) return;
+        if (kind.subject == ResultKind::Subject::action) {
+            if (!with_reactions && is_reaction(quantity)) return;
+            actions.push_back(quantity);
+        }
+        if (kind.shape != ResultKind::Shape::vector) return add(quantity, found);
         add(quantity.along(Quantity::Component::x), found);
         add(quantity.along(Quantity::Component::y), found);
-    };
-    for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
-        const auto index = BodyIndex(body);
-        add({.kind = Kind::omega, .body = index}, solution.bodies[body].omega);
-        add({.kind = Kind::alpha, .body = index}, solution.bodies[body].alpha);
-    }
-    for (const PointMotion& point : solution.points) {
-        if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
-        add_both(velocity_of(point), point.velocity);
-        add_both(acceleration_of(point), point.acceleration);
-    }
-    for (const Sliding& sliding : solution.sliding) {
-        add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
-        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
-    }
-    std::vector<const JointForce*> told;
-    for (const JointForce& force : solution.forces) {
-        if (!with_reactions && std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
-                return other->joint == force.joint && other->on == force.from && other->from == force.on;
-            }))
-            continue;
-        told.push_back(&force);
-        Quantity quantity = quantity_of(force);
-        add_both(quantity, force.force);
-        quantity.kind = Kind::couple;
-        if (solution.mechanism.joint(force.joint).pair().transmits_couple()) add(quantity, force.couple);
-    }
-    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
-        add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
+    });
     return values;
 }
 
@@ -265,30 +251,6 @@ Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, cons
 Result<std::vector<NamedResult>> asked_results(const Solution& solution) {
     if (!solution.mechanism.exercise) return std::vector<NamedResult>();
     return asked_of_results(solution, results_for(*solution.mechanism.exercise, solution));
-}
-
-Unit unit_of(QuantityKind kind, const Units& units) {
-    switch (kind) {
-        case QuantityKind::length: return units.length;
-        case QuantityKind::angle: return units.angle;
-        case QuantityKind::angular_velocity: return units.angular_velocity;
-        case QuantityKind::velocity: return units.velocity;
-        case QuantityKind::acceleration: return units.acceleration;
-        case QuantityKind::mass: return units.mass;
-        case QuantityKind::force: return units.force;
-        case QuantityKind::moment: return units.moment;
-        case QuantityKind::inertia: return units.inertia;
-        case QuantityKind::pressure: return units.pressure;
-        case QuantityKind::dimensionless: return {"", 1};
-        case QuantityKind::angular_acceleration:
-        case QuantityKind::time:
-        case QuantityKind::wear:
-        case QuantityKind::area:
-        case QuantityKind::force_per_length:
-        case QuantityKind::torsional_stiffness: break;
-    }
-    const KnownUnit& si = default_unit(kind);
-    return {std::string(si.symbol), si.si};
 }
 
 ToldResult told(const NamedResult& result, const Units& units) {

@@ -56,7 +56,5 @@ struct ToldResult {
     std::string unit;
 };
 ToldResult told(const NamedResult& result, const Units& units);
-/// The unit that a file uses for a kind of quantity.
-Unit unit_of(QuantityKind kind, const Units& units);
 
 }  // namespace kinegraph

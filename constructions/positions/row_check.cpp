@@ -4,6 +4,8 @@
 #include <variant>
 
 #include "constructions/positions/givens_here.hpp"
+#include "engine/check/numeric_result.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/sliding.hpp"
 
 namespace kinegraph {
@@ -52,53 +54,22 @@ void RowCheck::put_into_pose(const Row& row) {
 std::optional<double> RowCheck::numeric(const Row& row, const Column& column, const NumericMotion& motion,
                                         const NumericForces* forces) const {
     const Quantity& q = column.quantity;
-    const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::x ? 0 : 1]; };
-    switch (q.kind) {
-        case Quantity::Kind::omega:
-        case Quantity::Kind::alpha: {
-            const auto& state = motion.bodies[at_index(q.body)];
-            if (!(q.kind == Quantity::Kind::omega ? state.velocity_known : state.acceleration_known))
-                return std::nullopt;
-            return q.kind == Quantity::Kind::omega ? state.omega : state.alpha;
-        }
-        case Quantity::Kind::velocity:
-        case Quantity::Kind::acceleration: {
-            const auto& state = motion.bodies[at_index(q.body)];
-            const Vector& place = pose_.at(q.point);
-            if (!(q.kind == Quantity::Kind::velocity ? state.velocity_known : state.acceleration_known))
-                return std::nullopt;
-            return part(q.kind == Quantity::Kind::velocity ? motion.velocity(q.body, place)
-                                                           : motion.acceleration(q.body, place));
-        }
-        case Quantity::Kind::sliding_velocity:
-        case Quantity::Kind::sliding_acceleration: return numeric_sliding(row, q, motion);
-        case Quantity::Kind::force:
-        case Quantity::Kind::couple:
-            for (const NumericForces::Action& action : forces->actions)
-                if (action.known && action.joint == q.joint && action.on == q.body && action.from == q.other)
-                    return q.kind == Quantity::Kind::couple ? action.couple : part(action.force);
-            return std::nullopt;
-        default:
-            if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
-            return forces->efforts[at_index(q.given)];
+    const ResultKind& kind = result_kind(q);
+    const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::y ? 1 : 0]; };
+    if (kind.subject == ResultKind::Subject::effort) {
+        if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
+        return forces->efforts[at_index(q.given)];
     }
-}
-
-std::optional<double> RowCheck::numeric_sliding(const Row& row, const Quantity& q, const NumericMotion& motion) const {
-    const Joint& joint = drawn_.joint(q.joint);
-    const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-    const auto &slider = motion.bodies[at_index(i)], &guide = motion.bodies[at_index(j)];
-    const Vector& place = pose_.at(joint.point);
-    const VectorOf<double> along = direction_of_sliding(row.places, q.joint);
-    const auto apart = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-        return VectorOf<double>{a[0] - b[0], a[1] - b[1]};
-    };
-    if (!slider.velocity_known || !guide.velocity_known) return std::nullopt;
-    const VectorOf<double> velocity = apart(motion.velocity(i, place), motion.velocity(j, place));
-    if (q.kind == Quantity::Kind::sliding_velocity) return dot(along, velocity);
-    if (!slider.acceleration_known || !guide.acceleration_known) return std::nullopt;
-    const VectorOf<double> coriolis = 2 * guide.omega * quarter_turn(velocity);
-    return dot(along, apart(motion.acceleration(i, place), motion.acceleration(j, place)) - coriolis);
+    if (kind.subject == ResultKind::Subject::action) {
+        for (const NumericForces::Action& action : forces->actions)
+            if (action.known && action.joint == q.joint && action.on == q.body && action.from == q.other)
+                return kind.unit == QuantityKind::moment ? action.couple : part(action.force);
+        return std::nullopt;
+    }
+    const auto found = numeric_result(motion, mechanism_, pose_, q);
+    if (!found) return std::nullopt;
+    if (kind.shape != ResultKind::Shape::along) return part(*found);
+    return dot(direction_of_sliding(row.places, q.joint), VectorOf<double>{(*found)[0], (*found)[1]});
 }
 
 }  // namespace kinegraph

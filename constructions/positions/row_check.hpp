@@ -49,7 +49,6 @@ private:
     /// The check's value for a column; none if it does not determine it.
     std::optional<double> numeric(const Row& row, const Column& column, const NumericMotion& motion,
                                   const NumericForces* forces) const;
-    std::optional<double> numeric_sliding(const Row& row, const Quantity& q, const NumericMotion& motion) const;
 
     const Mechanism& drawn_;
     Mechanism mechanism_;

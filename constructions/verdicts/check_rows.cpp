@@ -5,12 +5,16 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "constructions/verdicts/force_comparison.hpp"
 #include "engine/check/check.hpp"
+#include "engine/check/numeric_result.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/magnitudes.hpp"
+#include "engine/solution/result_values.hpp"
 #include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
@@ -29,9 +33,8 @@ public:
           numeric_(check_motion(solution.mechanism, solution.pose)) {}
 
     Comparison compare() && {
-        for (const BodyIndex body : mechanism_.moving_bodies()) compare_turning(body);
-        for (const PointMotion& point : solution_.points) compare_point(point);
-        for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
+        for_each_result(solution_,
+                        [&](const Quantity& quantity, const auto& found) { compare_motion(quantity, *found); });
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
         for (const Curvature& found : solution_.curvature) compare_curvature(found);
         if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() ||
@@ -53,42 +56,15 @@ private:
         add(quantity.along(Quantity::Component::y), graphical.y.to_double(), independent[1]);
     }
 
-    void compare_turning(BodyIndex body) {
-        const auto& state = numeric_.bodies[at_index(body)];
-        const BodyMotion& found = solution_.bodies[at_index(body)];
-        if (found.omega && state.velocity_known)
-            add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
-        if (found.alpha && state.acceleration_known)
-            add({.kind = Kind::alpha, .body = body}, found.alpha->to_double(), state.alpha);
-    }
-
-    void compare_point(const PointMotion& point) {
-        const BodyIndex body = point.bodies.front();
-        if (body == frame) return;
-        const auto& state = numeric_.bodies[at_index(body)];
-        const Vector& place = solution_.pose.at(point.point);
-        if (point.velocity && state.velocity_known)
-            add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
-        if (point.acceleration && state.acceleration_known)
-            add(acceleration_of(point), *point.acceleration, numeric_.acceleration(body, place));
-    }
-
-    void compare_sliding(const Sliding& sliding) {
-        const Joint& joint = mechanism_.joints[at_index(sliding.joint)];
-        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-        const auto& slider = numeric_.bodies[at_index(i)];
-        const auto& guide = numeric_.bodies[at_index(j)];
-        const Vector& place = solution_.pose.at(joint.point);
-        if (!slider.velocity_known || !guide.velocity_known) return;
-        const Pair velocity = minus(numeric_.velocity(i, place), numeric_.velocity(j, place));
-        if (sliding.velocity)
-            add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, *sliding.velocity, velocity);
-        if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
-        const Pair coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
-        const Pair acceleration =
-            minus(minus(numeric_.acceleration(i, place), numeric_.acceleration(j, place)), coriolis);
-        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, *sliding.acceleration, acceleration);
-        add({.kind = Kind::sliding_coriolis, .joint = sliding.joint}, *sliding.coriolis, coriolis);
+    template <class Value>
+    void compare_motion(const Quantity& quantity, const Value& found) {
+        if (result_kind(quantity).is_of_forces()) return;
+        const auto numeric = numeric_result(numeric_, mechanism_, solution_.pose, quantity);
+        if (!numeric) return;
+        if constexpr (std::is_same_v<Value, Exact>)
+            add(quantity, found.to_double(), (*numeric)[0]);
+        else
+            add(quantity, found, *numeric);
     }
 
     /// Compares a finite centre with the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
@@ -206,28 +182,8 @@ struct Gap {
 };
 
 /// The SI unit.
-std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
-    using Kind = Quantity::Kind;
-    switch (quantity.kind) {
-        case Kind::velocity:
-        case Kind::sliding_velocity: return "m/s";
-        case Kind::acceleration:
-        case Kind::sliding_acceleration:
-        case Kind::sliding_coriolis: return "m/s²";
-        case Kind::omega: return "rad/s";
-        case Kind::alpha: return "rad/s²";
-        case Kind::centre:
-        case Kind::acceleration_pole:
-        case Kind::radius:
-        case Kind::inflection_diameter: return "m";
-        case Kind::couple:
-        case Kind::resultant_couple: return "N m";
-        case Kind::effort:
-        case Kind::virtual_effort:
-            return std::holds_alternative<CoupleEffort>(mechanism.efforts[at_index(quantity.given)]) ? "N m" : "N";
-        case Kind::virtual_power: return "W";
-        default: return "N";
-    }
+std::string si_unit_of(const Quantity& quantity, const Mechanism& mechanism) {
+    return std::string(default_unit(unit_kind_of(quantity, mechanism)).symbol);
 }
 
 /// Differences between two numbers that should be equal, by kind.
@@ -251,7 +207,7 @@ public:
         if (!is_first) ++worst.others;
         // NaN is the worst.
         if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
-            worst = {name(), graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
+            worst = {name(), graphical, difference, si_unit_of(quantity, solution_.mechanism), worst.others};
     }
     std::vector<Message> told() const {
         std::vector<Message> messages;

@@ -3,16 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sentences/result_catalogue.hpp"
+
 namespace kinegraph {
 
-using Kind = Quantity::Kind;
+namespace {
+
+bool is_effort(const Column& column) { return result_kind(column.quantity).subject == ResultKind::Subject::effort; }
+/// The place of a column's scale among all: one for each unit; efforts, which may be far below the reactions, have
+/// their own behind these.
+std::size_t scale_of(const Column& column) {
+    constexpr auto units = static_cast<std::size_t>(QuantityKind::wear) + 1;
+    return is_effort(column) ? units : static_cast<std::size_t>(column.unit);
+}
+
+}  // namespace
 
 void LargestDifference::hold(std::size_t column, const Column& of, double value, double numeric, double coordinate) {
-    const auto kind = static_cast<std::size_t>(of.quantity.kind);
+    const std::size_t unit = scale_of(of);
     off_.resize(std::max(off_.size(), column + 1));
-    largest_.resize(std::max(largest_.size(), kind + 1));
+    largest_.resize(std::max(largest_.size(), unit + 1));
     const double size = std::max(std::abs(value), std::abs(numeric)), off = std::abs(value - numeric);
-    largest_[kind] = std::max(largest_[kind], size);
+    largest_[unit] = std::max(largest_[unit], size);
     Off& most = off_[column];
     most.largest = std::max(most.largest, size);
     if (!most.held || off > most.most) {
@@ -26,9 +38,9 @@ LargestDifference::Found LargestDifference::found(std::span<const Column> column
     Found worst;
     for (std::size_t i = 0; i < std::min(columns.size(), off_.size()); ++i) {
         const Off& off = off_[i];
-        const Kind kind = columns[i].quantity.kind;
         // A quantity without a kind is compared with its own largest value.
-        const double unit = kind == Kind::unnamed ? off.largest : measure(kind, size);
+        const bool is_named = columns[i].quantity.kind != Quantity::Kind::unnamed;
+        const double unit = is_named ? measure(columns[i], size) : off.largest;
         if (!off.held || unit == 0) continue;
         const double share = off.most / unit;
         if (worst.column < 0 || share > worst.share) worst = {share, static_cast<int>(i), off.coordinate};
@@ -36,25 +48,22 @@ LargestDifference::Found LargestDifference::found(std::span<const Column> column
     return worst;
 }
 
-double LargestDifference::measure(Kind kind, double size) const {
-    const auto of = [&](Kind each) {
-        const auto index = static_cast<std::size_t>(each);
-        return index < largest_.size() ? largest_[index] : 0.0;
-    };
-    const double v = std::max({of(Kind::velocity), of(Kind::sliding_velocity), of(Kind::omega) * size});
-    const double a =
-        std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * size, v * v / size});
-    const double f = std::max({of(Kind::force), of(Kind::couple) / size});
-    switch (kind) {
-        case Kind::omega: return v / size;
-        case Kind::alpha: return a / size;
-        case Kind::velocity:
-        case Kind::sliding_velocity: return v;
-        case Kind::acceleration:
-        case Kind::sliding_acceleration: return a;
-        case Kind::force: return f;
-        case Kind::couple: return f * size;
-        default: return of(kind);
+double LargestDifference::measure(const Column& column, double size) const {
+    using enum QuantityKind;
+    const auto at = [&](std::size_t unit) { return unit < largest_.size() ? largest_[unit] : 0.0; };
+    const auto of = [&](QuantityKind unit) { return at(static_cast<std::size_t>(unit)); };
+    if (is_effort(column)) return at(scale_of(column));
+    const double v = std::max({of(velocity), of(angular_velocity) * size});
+    const double a = std::max({of(acceleration), of(angular_acceleration) * size, v * v / size});
+    const double f = std::max({of(force), of(moment) / size});
+    switch (column.unit) {
+        case angular_velocity: return v / size;
+        case angular_acceleration: return a / size;
+        case velocity: return v;
+        case acceleration: return a;
+        case force: return f;
+        case moment: return f * size;
+        default: return of(column.unit);
     }
 }
 

@@ -27,10 +27,10 @@ private:
         bool held = false;
         double most = 0, coordinate = 0, largest = 0;
     };
-    double measure(Quantity::Kind kind, double size) const;
+    double measure(const Column& column, double size) const;
 
     std::vector<Off> off_;         // by column
-    std::vector<double> largest_;  // by kind
+    std::vector<double> largest_;  // by unit, efforts apart
 };
 
 }  // namespace kinegraph

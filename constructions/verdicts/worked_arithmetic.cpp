@@ -6,6 +6,7 @@
 
 #include "constructions/verdicts/worked_arithmetic/of_forces.hpp"
 #include "constructions/verdicts/worked_arithmetic/of_motion.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sentences.hpp"
 
 namespace kinegraph {
@@ -36,9 +37,7 @@ private:
         const Symbol& symbol = std::get<Symbol>(argument);
         const auto body = solution_.mechanism.body_named(symbol.about);
         if (!body) return true;
-        const bool omega = symbol.letter == Symbol::Letter::omega;
-        const Quantity quantity{.kind = omega ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = *body};
-        return !telling_.magnitudes().is_noise(quantity, telling_.spin(*body, symbol.letter));
+        return !telling_.magnitudes().is_noise(turning_of(*body, symbol.letter), telling_.spin(*body, symbol.letter));
     }
     /// Removes ω² if nothing turns, and α if the rotation is uniform.
     void leave_out_what_vanishes(Message& message) const {
@@ -94,10 +93,8 @@ private:
         if (sentence == lang::sentences::inertia_force || sentence == lang::sentences::inertia_couple)
             return forces_.inertia(statement);
         for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds) {
-            if (quantity.kind == Quantity::Kind::omega)
-                motion_.turning_found(statement, quantity, Symbol::Letter::omega);
-            if (quantity.kind == Quantity::Kind::alpha)
-                motion_.turning_found(statement, quantity, Symbol::Letter::alpha);
+            const ResultKind& kind = result_kind(quantity);
+            if (kind.turns()) motion_.turning_found(statement, quantity, kind.letter);
         }
         const std::vector<FreeBody>& bodies = bodies_at(statement);
         if (&bodies == &solution_.free_bodies)

@@ -71,6 +71,7 @@ Dimension dimension_of(QuantityKind kind) {
         case QuantityKind::area: return {.length = 2};
         case QuantityKind::force_per_length: return {.mass = 1, .time = -2};
         case QuantityKind::torsional_stiffness: return {.length = 2, .mass = 1, .time = -2, .angle = -1};
+        case QuantityKind::power: return {.length = 2, .mass = 1, .time = -3};
         case QuantityKind::wear: return {.length = 1, .mass = -1, .time = 2};
     }
     KG_ASSERT(false, "every kind has a dimension");
@@ -85,7 +86,8 @@ constexpr std::array all_kinds{QuantityKind::length,
                                QuantityKind::mass,
                                QuantityKind::force,
                                QuantityKind::moment,
-                               QuantityKind::inertia};
+                               QuantityKind::inertia,
+                               QuantityKind::power};
 
 bool same_but_for_angle(const Dimension& a, const Dimension& b) {
     return a.length == b.length && a.mass == b.mass && a.time == b.time;

@@ -130,6 +130,8 @@ std::vector<KnownUnit> units_of_contact(const UnitFactors& in) {
         {time, "ms", Exact::ratio(1, 1000)},
         {time, "min", 60},
         {time, "h", 3600},
+        {power, "W", 1},
+        {power, "kW", 1000},
         {wear, "m²/N", 1},
         {wear, "mm²/N", Exact::ratio(1, 1000000)},
         {wear, "mm³/(N m)", Exact::ratio(1, 1000000000)},
@@ -290,6 +292,7 @@ Words name_of(QuantityKind kind) {
         case QuantityKind::area: return {lang::units::area};
         case QuantityKind::force_per_length: return {lang::units::force_per_length};
         case QuantityKind::torsional_stiffness: return {lang::units::torsional_stiffness};
+        case QuantityKind::power: return {lang::units::power};
         case QuantityKind::wear: return {lang::units::coefficient_of_wear};
     }
     KG_ASSERT(false, "every kind has a name");
@@ -313,6 +316,7 @@ Words with_article(QuantityKind kind) {
         case QuantityKind::area: return lang::units::an_area;
         case QuantityKind::force_per_length: return lang::units::a_force_per_length;
         case QuantityKind::torsional_stiffness: return lang::units::a_torsional_stiffness;
+        case QuantityKind::power: return lang::units::a_power;
         case QuantityKind::wear: return lang::units::a_coefficient_of_wear;
     }
     KG_ASSERT(false, "every kind has a name");

@@ -31,6 +31,7 @@ enum class QuantityKind {
     area,
     force_per_length,     ///< of distributed loads and of springs, N/m
     torsional_stiffness,  ///< N m/rad
+    power,                ///< of a force or a couple
     wear,                 ///< volume worn off per unit of (friction work / coefficient): m³/(N m)
 };
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "engine/number/assert.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {
-
-using Kind = Quantity::Kind;
 
 class Namer {
 public:
@@ -25,35 +24,31 @@ public:
     }
 
 private:
+    /// "omega 3", "sliding B velocity", "force A 3 on 2 couple".
     std::string stem(const Quantity& q) const {
-        switch (q.kind) {
-            case Kind::unnamed: return "";
-            case Kind::velocity: return "velocity " + carried(q);
-            case Kind::acceleration: return "acceleration " + carried(q);
-            case Kind::omega: return "omega " + body(q.body);
-            case Kind::alpha: return "alpha " + body(q.body);
-            case Kind::centre: return "centre " + body(q.body) + "," + body(q.other);
-            case Kind::sliding_velocity: return "sliding " + joint(q.joint) + " velocity";
-            case Kind::sliding_acceleration: return "sliding " + joint(q.joint) + " acceleration";
-            case Kind::sliding_coriolis: return "sliding " + joint(q.joint) + " coriolis";
-            case Kind::force: return action(q);
-            case Kind::couple: return action(q) + " couple";
-            case Kind::force_component: return action(q) + " component";
-            case Kind::load:
-                return "load " + std::visit([](const auto& load) { return load.name; }, mechanism_.loads[at(q.given)]);
-            case Kind::weight: return "weight " + body(mechanism_.masses[at(q.given)].body);
-            case Kind::inertia: return "inertia " + body(mechanism_.masses[at(q.given)].body);
-            case Kind::effort: return effort(q);
-            case Kind::radius: return "radius " + mechanism_.points[at(q.point)].name + " on " + body(q.body);
-            case Kind::inflection_diameter: return "inflection circle " + body(q.body);
-            case Kind::acceleration_pole: return "acceleration pole " + body(q.body);
-            case Kind::virtual_power: return "virtual power";
-            case Kind::virtual_effort: return effort(q) + " by virtual work";
-            case Kind::resultant: return "resultant " + body(q.body);
-            case Kind::resultant_couple: return "resultant " + body(q.body) + " couple";
-            case Kind::bar: return "bar " + bar(q.body);
+        const ResultKind& row = result_kind(q);
+        const std::string of = subject(q, row.subject);
+        return std::string(row.name) + (of.empty() ? "" : " " + of) + std::string(row.ending);
+    }
+    std::string subject(const Quantity& q, ResultKind::Subject kind) const {
+        using enum ResultKind::Subject;
+        const auto name_of_given = [](const auto& given) { return given.name; };
+        switch (kind) {
+            case nothing: return "";
+            case body: return body_name(q.body);
+            case two_bodies: return body_name(q.body) + "," + body_name(q.other);
+            case point: return carried(q);
+            case path: return mechanism_.point(q.point).name + " on " + body_name(q.body);
+            case joint: return mechanism_.joint(q.joint).name;
+            case action:
+            case component:
+                return mechanism_.joint(q.joint).name + " " + body_name(q.other) + " on " + body_name(q.body);
+            case load: return std::visit(name_of_given, mechanism_.loads[at(q.given)]);
+            case mass: return body_name(mechanism_.masses[at(q.given)].body);
+            case effort: return std::visit(name_of_given, mechanism_.efforts[at(q.given)]);
+            case bar: return bar_name(q.body);
         }
-        KG_ASSERT(false, "a quantity has a kind");
+        KG_ASSERT(false, "a quantity has a subject or none");
     }
     static std::string part_of_name(const Quantity& q) {
         switch (q.part) {
@@ -69,24 +64,17 @@ private:
     }
 
     static std::size_t at(auto index) { return at_index(index); }
-    std::string body(BodyIndex index) const { return index == none ? "pin" : mechanism_.bodies[at(index)].name; }
-    std::string bar(BodyIndex index) const {
+    std::string body_name(BodyIndex index) const { return index == none ? "pin" : mechanism_.bodies[at(index)].name; }
+    std::string bar_name(BodyIndex index) const {
         if (solution_.truss)
             for (const TrussStructure::Bar& each : solution_.truss->structure.bars)
                 if (each.body == index) return each.name;
-        return body(index);
+        return body_name(index);
     }
-    std::string joint(JointIndex index) const { return mechanism_.joints[at(index)].name; }
     std::string carried(const Quantity& q) const {
         // A place that the recipe needs and the file does not name.
         const std::string letter = q.point == none ? "S" : mechanism_.points[at(q.point)].name;
-        return is_of_several_bodies(q.point) ? letter + " on " + body(q.body) : letter;
-    }
-    std::string effort(const Quantity& q) const {
-        return "effort " + std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(q.given)]);
-    }
-    std::string action(const Quantity& q) const {
-        return "force " + joint(q.joint) + " " + body(q.other) + " on " + body(q.body);
+        return is_of_several_bodies(q.point) ? letter + " on " + body_name(q.body) : letter;
     }
     /// Whether several bodies have this point, such as a pin and the point of the slot under it, with different motions
     /// under one letter.

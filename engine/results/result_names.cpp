@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/truss.hpp"
 
 namespace kinegraph {
@@ -11,9 +12,22 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-std::string action_of(const Quantity& q, const Mechanism& mechanism) {
+/// "omega 3", "vx A", "F A 3 on 2", "effort M".
+std::string name_of_column(const Quantity& q, const Mechanism& mechanism, const std::string& subject) {
+    using Subject = ResultKind::Subject;
+    const ResultKind& kind = result_kind(q);
+    std::string name(kind.column);
+    if (q.component != Quantity::Component::whole) name += q.component == Quantity::Component::x ? 'x' : 'y';
     const auto body = [&](BodyIndex index) { return index == none ? std::string("pin") : mechanism.body(index).name; };
-    return mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
+    switch (kind.subject) {
+        case Subject::body: return name + " " + body(q.body);
+        case Subject::action:
+            return name + " " + mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
+        case Subject::effort:
+            return name + " " +
+                   std::visit([](const auto& each) { return each.name; }, mechanism.efforts[at_index(q.given)]);
+        default: return name + " " + subject;
+    }
 }
 
 /// All quantities that a solution may contain, with the names of their subjects.
@@ -23,7 +37,7 @@ public:
 
     std::vector<Column> all() && {
         for (const BodyIndex body : m_.moving_bodies())
-            for (const Kind kind : {Kind::omega, Kind::alpha}) add({.kind = kind, .body = body}, "");
+            for (const Quantity& turning : {omega_of(body), alpha_of(body)}) add(turning, "");
         for (const PointIndex point : indices<PointIndex>(m_.points.size())) add_point(point);
         for (const Joint& joint : m_.joints) add_joint(joint);
         for (std::size_t e = 0; e < m_.efforts.size(); ++e)
@@ -94,52 +108,34 @@ private:
 
 void add_columns(const Quantity& q, const Mechanism& mechanism, const std::string& subject,
                  std::vector<Column>& columns) {
-    const auto add = [&](Column::Kind kind, std::string name, QuantityKind unit) {
-        columns.push_back({kind, q, std::move(name), unit});
+    using Subject = ResultKind::Subject;
+    const ResultKind& kind = result_kind(q);
+    const auto add = [&](Column::Kind what, std::string name, QuantityKind unit) {
+        columns.push_back({what, q, std::move(name), unit});
     };
-    const auto body = [&] { return mechanism.body(q.body).name; };
-    const bool is_x = q.component == Quantity::Component::x;
-    const std::string axis = is_x ? "x " : "y ";
-    switch (q.kind) {
-        case Kind::omega:
-            add(Column::Kind::angle, "angle " + body(), QuantityKind::angle);
-            return add(Column::Kind::result, "omega " + body(), QuantityKind::angular_velocity);
-        case Kind::alpha: return add(Column::Kind::result, "alpha " + body(), QuantityKind::angular_acceleration);
-        case Kind::velocity:
-            if (is_x) {
-                add(Column::Kind::place_x, "x " + subject, QuantityKind::length);
-                add(Column::Kind::place_y, "y " + subject, QuantityKind::length);
-            }
-            return add(Column::Kind::result, "v" + axis + subject, QuantityKind::velocity);
-        case Kind::acceleration: return add(Column::Kind::result, "a" + axis + subject, QuantityKind::acceleration);
-        case Kind::sliding_velocity:
-            if (mechanism.joint(q.joint).along) add(Column::Kind::slid, "s " + subject, QuantityKind::length);
-            return add(Column::Kind::along, "v " + subject, QuantityKind::velocity);
-        case Kind::sliding_acceleration: return add(Column::Kind::along, "a " + subject, QuantityKind::acceleration);
-        case Kind::force: return add(Column::Kind::result, "F" + axis + action_of(q, mechanism), QuantityKind::force);
-        case Kind::couple: return add(Column::Kind::result, "C " + action_of(q, mechanism), QuantityKind::moment);
-        default: {
-            const Effort& effort = mechanism.efforts[at_index(q.given)];
-            const auto name = std::visit([](const auto& each) { return each.name; }, effort);
-            add(Column::Kind::result, "effort " + name,
-                std::holds_alternative<CoupleEffort>(effort) ? QuantityKind::moment : QuantityKind::force);
+    // A body's angle, a point's place and a slide's displacement come before its velocity.
+    if (kind.is_velocity()) {
+        if (kind.subject == Subject::body)
+            add(Column::Kind::angle, "angle " + mechanism.body(q.body).name, QuantityKind::angle);
+        if (kind.subject == Subject::point && q.component == Quantity::Component::x) {
+            add(Column::Kind::place_x, "x " + subject, QuantityKind::length);
+            add(Column::Kind::place_y, "y " + subject, QuantityKind::length);
         }
+        if (kind.subject == Subject::joint && mechanism.joint(q.joint).along)
+            add(Column::Kind::slid, "s " + subject, QuantityKind::length);
     }
+    add(kind.shape == ResultKind::Shape::along ? Column::Kind::along : Column::Kind::result,
+        name_of_column(q, mechanism, subject), unit_kind_of(q, mechanism));
 }
 
 Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject) {
     const Quantity whole = vector.along(Quantity::Component::whole);
-    switch (vector.kind) {
-        case Kind::velocity: return {Column::Kind::result, whole, "v " + subject, QuantityKind::velocity};
-        case Kind::acceleration: return {Column::Kind::result, whole, "a " + subject, QuantityKind::acceleration};
-        default: return {Column::Kind::result, whole, "F " + action_of(vector, mechanism), QuantityKind::force};
-    }
+    return {Column::Kind::result, whole, name_of_column(whole, mechanism, subject), unit_kind_of(whole, mechanism)};
 }
 
 bool is_modulus(const Column& column) {
-    const Kind kind = column.quantity.kind;
     return column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole &&
-           (kind == Kind::velocity || kind == Kind::acceleration || kind == Kind::force);
+           result_kind(column.quantity).shape == ResultKind::Shape::vector;
 }
 
 Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism) {
@@ -147,7 +143,7 @@ Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism) {
     const std::string& of =
         action.other == none ? mechanism.point(joint.point).name : mechanism.body(action.other).name;
     const std::string& on = mechanism.body(action.body).name;
-    Symbol symbol{action.kind == Kind::couple ? Symbol::Letter::M : Symbol::Letter::F, of, ""};
+    Symbol symbol{result_kind(action).letter, of, ""};
     symbol.about += (of.size() == 1 && on.size() == 1 ? "" : ",") + on;
     const auto is_between = [&](const Joint& other) {
         return !other.has_own_node() && other.connects(action.body) && other.connects(action.other);

@@ -2,9 +2,12 @@
 // difference is significant or rounding.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "engine/file/units.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
@@ -31,11 +34,12 @@ public:
     bool is_noise(const Quantity& quantity, double value) const;
 
 private:
+    double& largest(QuantityKind unit) { return largest_[static_cast<std::size_t>(unit)]; }
     void take(const Quantity& quantity, double value);
     void take_what_is_given();
     void tie_together(double size);
 
-    double velocity_ = 0, acceleration_ = 0, omega_ = 0, alpha_ = 0, place_ = 0, force_ = 0, couple_ = 0, power_ = 0;
+    std::array<double, static_cast<std::size_t>(QuantityKind::wear) + 1> largest_{};
     const Mechanism& mechanism_;
     const Pose& pose_;
 };

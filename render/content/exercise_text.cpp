@@ -11,6 +11,7 @@
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/sheet.hpp"
@@ -183,12 +184,12 @@ private:
 
     void say_asked_result(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
+        const ResultKind& kind = result_kind(q);
         const bool whole = q.component == Quantity::Component::whole;
+        if (kind.turns())
+            return say(kind.is_velocity() ? lang::sheet::asked_omega : lang::sheet::asked_alpha,
+                       {symbol, plain_words(mechanism_.body(q.body).name)});
         switch (q.kind) {
-            case Quantity::Kind::omega:
-                return say(lang::sheet::asked_omega, {symbol, plain_words(mechanism_.body(q.body).name)});
-            case Quantity::Kind::alpha:
-                return say(lang::sheet::asked_alpha, {symbol, plain_words(mechanism_.body(q.body).name)});
             case Quantity::Kind::velocity:
                 return say(whole ? lang::sheet::asked_velocity : lang::sheet::asked_part_of_velocity,
                            {symbol, carried(column)});
@@ -305,15 +306,10 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
     if (columns.empty() || figure.kind == "mechanism" || figure.kind == "truss") return true;
     const bool inertia = mechanism.inertia_forces && !mechanism.masses.empty();
     const auto needs = [&](const Column& column) {
-        const Quantity::Kind kind = column.quantity.kind;
+        const ResultKind& kind = result_kind(column.quantity);
         const bool is_result = column.kind == Column::Kind::result || column.kind == Column::Kind::along;
-        const bool forces = is_result && (kind == Quantity::Kind::force || kind == Quantity::Kind::couple ||
-                                          kind == Quantity::Kind::effort || kind == Quantity::Kind::bar);
-        const bool accelerations =
-            is_result && (kind == Quantity::Kind::alpha || kind == Quantity::Kind::acceleration ||
-                          kind == Quantity::Kind::sliding_acceleration);
-        const bool velocities = is_result && (kind == Quantity::Kind::omega || kind == Quantity::Kind::velocity ||
-                                              kind == Quantity::Kind::sliding_velocity);
+        const bool forces = is_result && kind.is_of_forces();
+        const bool accelerations = is_result && kind.is_acceleration(), velocities = is_result && kind.is_velocity();
         // Accelerations need ω²r, and inertia forces need accelerations.
         if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
         if (figure.kind == "acceleration") return accelerations || (forces && inertia);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -283,8 +284,8 @@ private:
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
         const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
-        const StatementIndex statement = std::max(
-            act_.centre_statement, statement_of_turning(solution_, {.kind = Quantity::Kind::omega, .body = act_.body}));
+        const StatementIndex statement =
+            std::max(act_.centre_statement, statement_of_turning(solution_, omega_of(act_.body)));
         const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
         belong(sketch.arrows, first, statement);

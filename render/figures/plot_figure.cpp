@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/labels.hpp"
@@ -14,8 +15,6 @@
 
 namespace kinegraph::render {
 namespace {
-
-using Kind = Quantity::Kind;
 
 /// Distance of ticks: 1, 2 or 5 × 10ⁿ; for degrees a fraction of a turn.
 double tick_step(double range, int most, bool degrees) {
@@ -425,26 +424,25 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Column::Kind::place_y: return symbol("y", mechanism.point(q.point).name, Face::italic);
         case Column::Kind::slid: return symbol("s", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::along:
-            return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
+            return symbol(std::string(result_kind(q).column), mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::named: return with_powers(text_of_column(column.name, language));
         case Column::Kind::result: break;
     }
-    switch (q.kind) {
-        case Kind::omega: return symbol("ω", body(q.body), Face::regular);
-        case Kind::alpha:
-            return symbol(notation(language).alpha, body(q.body), Face::regular, notation(language).alpha_dots);
-        case Kind::velocity: return symbol("v", along(mechanism.point(q.point).name), Face::italic);
-        case Kind::acceleration: return symbol("a", along(mechanism.point(q.point).name), Face::italic);
-        case Kind::force:
-        case Kind::couple: {
+    const ResultKind& kind = result_kind(q);
+    const RichText letter = typeset(Symbol{kind.letter, "", ""}, language);
+    switch (kind.subject) {
+        case ResultKind::Subject::body: return symbol(letter[0].text, body(q.body), Face::regular, letter[0].dots);
+        case ResultKind::Subject::point:
+            return symbol(letter[0].text, along(mechanism.point(q.point).name), Face::italic);
+        case ResultKind::Subject::action: {
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
-            return symbol(q.kind == Kind::couple ? "C" : "F", along(pair), Face::regular);
+            return symbol(std::string(kind.column), along(pair), Face::regular);
         }
         default: {
             // Named as on the sheet: a couple "m" is M with the index m.
             const Effort& effort = mechanism.efforts[at_index(q.given)];
             const std::string name = std::visit([](const auto& each) { return each.name; }, effort);
-            const bool is_couple = std::holds_alternative<CoupleEffort>(effort);
+            const bool is_couple = unit_kind_of(q, mechanism) == QuantityKind::moment;
             return typeset(Symbol{is_couple ? Symbol::Letter::M : Symbol::Letter::F, name, ""}, language);
         }
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/sliding.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -240,11 +241,10 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         if (!value || value->is_zero()) continue;
         const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
-        const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
-        const StatementIndex statement = statement_of_turning(solution, {.kind = kind, .body = body});
+        const Quantity turning = turning_of(body, letter);
+        const StatementIndex statement = statement_of_turning(solution, turning);
         if (statement == none) continue;
-        const Unit& unit =
-            kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared();
+        const Unit unit = unit_of(result_kind(turning).unit, sketch.mechanism.units);
         const RichText text = found_value(sketch, symbol, value->to_double(), unit);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -108,8 +109,7 @@ private:
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
             const BodyMotion& motion = solution_.bodies[b];
             if (!motion.omega && !motion.alpha) continue;
-            const Quantity spin{.kind = Quantity::Kind::omega, .body = BodyIndex(b)},
-                speeding{.kind = Quantity::Kind::alpha, .body = BodyIndex(b)};
+            const Quantity spin = omega_of(BodyIndex(b)), speeding = alpha_of(BodyIndex(b));
             rows.push_back(
                 {body(BodyIndex(b)), motion.omega ? value(spin, *motion.omega, units.angular_velocity) : "–"});
             if (has_alpha)

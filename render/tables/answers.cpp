@@ -10,6 +10,7 @@
 #include "engine/file/units.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/sheet.hpp"
@@ -93,7 +94,7 @@ private:
 
     void add_motion(const ResultRow& row) {
         const Quantity& quantity = row.quantity;
-        const bool turning = quantity.kind == Kind::omega || quantity.kind == Kind::alpha;
+        const bool turning = result_kind(quantity).turns();
         if (turning && is_driven(mechanism_, quantity)) return;
         const bool relative_motion = row.group.section == Topic::relative_motion;
         const bool sought = turning || quantity.part == Quantity::Part::whole ||
@@ -131,7 +132,7 @@ private:
     /// bodies that rotate together.
     void read_turning(const ResultRow& row, Answer& answer) const {
         if (!length_scale_ || row.drawing == 0) return;
-        const bool is_omega = row.quantity.kind == Kind::omega;
+        const bool is_omega = result_kind(row.quantity).is_velocity();
         const double turning = std::abs(found_turning(row.quantity));
         const std::vector<BodyIndex> together = turning_with(mechanism_, row.quantity.body);
         const ResultRow* best = nullptr;
@@ -168,7 +169,7 @@ private:
     }
     double found_turning(const Quantity& quantity) const {
         const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
-        const auto& value = quantity.kind == Kind::omega ? motion.omega : motion.alpha;
+        const auto& value = result_kind(quantity).is_velocity() ? motion.omega : motion.alpha;
         return value ? value->to_double() : 0;
     }
     bool carries(BodyIndex body, PointIndex point) const {

@@ -11,6 +11,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
@@ -280,9 +281,9 @@ public:
 
     std::vector<ResultRow> rows() && {
         add_polygons(Plane::velocity, Polygon::Kind::motion);
-        add_bodies(Quantity::Kind::omega);
+        add_bodies(&BodyMotion::omega, result_kind(omega_of(frame)));
         add_polygons(Plane::acceleration, Polygon::Kind::motion);
-        add_bodies(Quantity::Kind::alpha);
+        add_bodies(&BodyMotion::alpha, result_kind(alpha_of(frame)));
         add_polygons(Plane::velocity, Polygon::Kind::relative_motion);
         add_polygons(Plane::acceleration, Polygon::Kind::relative_motion);
         for (const Curvature& found : solution_.curvature) add_curvature(found);
@@ -290,22 +291,20 @@ public:
     }
 
 private:
-    void add_bodies(Quantity::Kind kind) {
-        const bool is_omega = kind == Quantity::Kind::omega;
-        const Unit unit = is_omega ? units_.angular_velocity : Unit{"rad/s²", 1};
+    void add_bodies(Recorded<Exact> BodyMotion::*turning, const ResultKind& kind) {
+        const Unit unit = unit_of(kind.unit, units_);
         const double si = unit.si.to_double();
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
-            const auto& value = is_omega ? solution_.bodies[b].omega : solution_.bodies[b].alpha;
+            const auto& value = solution_.bodies[b].*turning;
             if (!value) continue;
             ResultRow row;
-            row.quantity = {.kind = kind, .body = BodyIndex(b)};
-            row.symbol = {is_omega ? Symbol::Letter::omega : Symbol::Letter::alpha, solution_.mechanism.bodies[b].name,
-                          ""};
+            row.quantity = {.kind = kind.kind, .body = BodyIndex(b)};
+            row.symbol = {kind.letter, solution_.mechanism.bodies[b].name, ""};
             row.name = name_of(row.symbol);
             row.drawing = value->to_double() / si;
             if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / si;
             row.unit = unit.symbol;
-            row.group.section = is_omega ? Topic::velocity : Topic::acceleration;
+            row.group.section = kind.is_velocity() ? Topic::velocity : Topic::acceleration;
             rows_.push_back(std::move(row));
         }
     }
@@ -461,7 +460,7 @@ struct ResultsTable::Parts {
 ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, double most) const {
     const Language language = context.language;
     const auto decimals = decimals_for(most);
-    const bool is_scalar = row.quantity.kind == Quantity::Kind::omega || row.quantity.kind == Quantity::Kind::alpha;
+    const bool is_scalar = result_kind(row.quantity).turns();
     const auto value = [&](double v) {
         std::string text = cell(v, decimals, language);
         // Counter-clockwise rotations get an explicit plus sign.

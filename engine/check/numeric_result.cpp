@@ -1,0 +1,41 @@
+#include "engine/check/numeric_result.hpp"
+
+#include "engine/sentences/result_catalogue.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Components = std::array<double, 2>;
+
+Components difference(const Components& a, const Components& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+std::optional<Components> numeric_sliding(const NumericMotion& motion, const Joint& joint, const Vector& place,
+                                          Quantity::Kind kind) {
+    const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+    const auto &slider = motion.bodies[at_index(i)], &guide = motion.bodies[at_index(j)];
+    if (!slider.velocity_known || !guide.velocity_known) return std::nullopt;
+    const Components velocity = difference(motion.velocity(i, place), motion.velocity(j, place));
+    if (kind == Quantity::Kind::sliding_velocity) return velocity;
+    if (!slider.acceleration_known || !guide.acceleration_known) return std::nullopt;
+    const Components coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
+    if (kind == Quantity::Kind::sliding_coriolis) return coriolis;
+    return difference(difference(motion.acceleration(i, place), motion.acceleration(j, place)), coriolis);
+}
+
+}  // namespace
+
+std::optional<Components> numeric_result(const NumericMotion& motion, const Mechanism& mechanism, const Pose& pose,
+                                         const Quantity& quantity) {
+    const ResultKind& row = result_kind(quantity);
+    if (row.subject == ResultKind::Subject::joint) {
+        const Joint& joint = mechanism.joint(quantity.joint);
+        return numeric_sliding(motion, joint, pose.at(joint.point), quantity.kind);
+    }
+    const auto& state = motion.bodies[at_index(quantity.body)];
+    if (!(row.is_velocity() ? state.velocity_known : state.acceleration_known)) return std::nullopt;
+    if (row.turns()) return Components{row.is_velocity() ? state.omega : state.alpha, 0};
+    const Vector& place = pose.at(quantity.point);
+    return row.is_velocity() ? motion.velocity(quantity.body, place) : motion.acceleration(quantity.body, place);
+}
+
+}  // namespace kinegraph

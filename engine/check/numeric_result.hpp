@@ -1,0 +1,17 @@
+// The check's value for a quantity of motion, under the same name as the construction's.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "engine/check/check.hpp"
+#include "engine/sentences/quantity.hpp"
+
+namespace kinegraph {
+
+/// SI units; of ω and α the first number. None where the drivers do not determine it. Sliding at a joint: of its first
+/// body relative to the second, with its Coriolis term apart.
+std::optional<std::array<double, 2>> numeric_result(const NumericMotion& motion, const Mechanism& mechanism,
+                                                    const Pose& pose, const Quantity& quantity);
+
+}  // namespace kinegraph

@@ -1,0 +1,109 @@
+#include "engine/sentences/result_catalogue.hpp"
+
+#include <array>
+#include <cstddef>
+#include <variant>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Kind = Quantity::Kind;
+using Subject = ResultKind::Subject;
+using Shape = ResultKind::Shape;
+using In = QuantityKind;
+using Letter = Symbol::Letter;
+
+constexpr std::array rows{
+    ResultKind{Kind::unnamed, Subject::nothing, Shape::scalar, In::dimensionless, Letter::point, ""},
+    ResultKind{Kind::velocity, Subject::point, Shape::vector, In::velocity, Letter::v, "velocity", "", "v"},
+    ResultKind{Kind::acceleration, Subject::point, Shape::vector, In::acceleration, Letter::a, "acceleration", "", "a"},
+    ResultKind{Kind::omega, Subject::body, Shape::scalar, In::angular_velocity, Letter::omega, "omega", "", "omega"},
+    ResultKind{Kind::alpha, Subject::body, Shape::scalar, In::angular_acceleration, Letter::alpha, "alpha", "",
+               "alpha"},
+    ResultKind{Kind::centre, Subject::two_bodies, Shape::vector, In::length, Letter::centre, "centre"},
+    ResultKind{Kind::sliding_velocity, Subject::joint, Shape::along, In::velocity, Letter::v, "sliding", " velocity",
+               "v"},
+    ResultKind{Kind::sliding_acceleration, Subject::joint, Shape::along, In::acceleration, Letter::a, "sliding",
+               " acceleration", "a"},
+    ResultKind{Kind::sliding_coriolis, Subject::joint, Shape::vector, In::acceleration, Letter::a, "sliding",
+               " coriolis"},
+    ResultKind{Kind::force, Subject::action, Shape::vector, In::force, Letter::F, "force", "", "F"},
+    ResultKind{Kind::couple, Subject::action, Shape::scalar, In::moment, Letter::M, "force", " couple", "C"},
+    ResultKind{Kind::force_component, Subject::component, Shape::scalar, In::force, Letter::F, "force", " component"},
+    ResultKind{Kind::load, Subject::load, Shape::vector, In::force, Letter::F, "load"},
+    ResultKind{Kind::weight, Subject::mass, Shape::vector, In::force, Letter::F, "weight"},
+    ResultKind{Kind::inertia, Subject::mass, Shape::vector, In::force, Letter::F, "inertia"},
+    ResultKind{Kind::effort, Subject::effort, Shape::scalar, In::force, Letter::F, "effort", "", "effort"},
+    ResultKind{Kind::radius, Subject::path, Shape::scalar, In::length, Letter::radius, "radius"},
+    ResultKind{Kind::inflection_diameter, Subject::body, Shape::scalar, In::length, Letter::diameter,
+               "inflection circle"},
+    ResultKind{Kind::acceleration_pole, Subject::body, Shape::vector, In::length, Letter::centre, "acceleration pole"},
+    ResultKind{Kind::virtual_power, Subject::nothing, Shape::scalar, In::power, Letter::point, "virtual power"},
+    ResultKind{Kind::virtual_effort, Subject::effort, Shape::scalar, In::force, Letter::F, "effort",
+               " by virtual work"},
+    ResultKind{Kind::resultant, Subject::body, Shape::vector, In::force, Letter::F, "resultant"},
+    ResultKind{Kind::resultant_couple, Subject::body, Shape::scalar, In::moment, Letter::M, "resultant", " couple"},
+    ResultKind{Kind::bar, Subject::bar, Shape::scalar, In::force, Letter::F, "bar"},
+};
+
+constexpr bool are_in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].kind != static_cast<Kind>(i)) return false;
+    return true;
+}
+static_assert(are_in_order() && rows.size() == static_cast<std::size_t>(Kind::bar) + 1);
+
+bool acts_as_couple(const Load& load) {
+    return std::holds_alternative<CoupleLoad>(load) || std::holds_alternative<TorsionLoad>(load);
+}
+
+}  // namespace
+
+const ResultKind& result_kind(Quantity::Kind kind) { return rows.at(static_cast<std::size_t>(kind)); }
+
+std::span<const ResultKind> result_kinds() { return rows; }
+
+QuantityKind unit_kind_of(const Quantity& quantity, const Mechanism& mechanism) {
+    const ResultKind& row = result_kind(quantity);
+    const bool is_couple =
+        (row.subject == Subject::load && acts_as_couple(mechanism.loads[at_index(quantity.given)])) ||
+        (row.subject == Subject::effort &&
+         std::holds_alternative<CoupleEffort>(mechanism.efforts[at_index(quantity.given)]));
+    return is_couple ? QuantityKind::moment : row.unit;
+}
+
+Unit unit_of(QuantityKind kind, const Units& units) {
+    switch (kind) {
+        case QuantityKind::length: return units.length;
+        case QuantityKind::angle: return units.angle;
+        case QuantityKind::angular_velocity: return units.angular_velocity;
+        case QuantityKind::velocity: return units.velocity;
+        case QuantityKind::acceleration: return units.acceleration;
+        case QuantityKind::mass: return units.mass;
+        case QuantityKind::force: return units.force;
+        case QuantityKind::moment: return units.moment;
+        case QuantityKind::inertia: return units.inertia;
+        case QuantityKind::pressure: return units.pressure;
+        case QuantityKind::dimensionless: return {"", 1};
+        case QuantityKind::angular_acceleration:
+        case QuantityKind::time:
+        case QuantityKind::power:
+        case QuantityKind::wear:
+        case QuantityKind::area:
+        case QuantityKind::force_per_length:
+        case QuantityKind::torsional_stiffness: break;
+    }
+    const KnownUnit& si = default_unit(kind);
+    return {std::string(si.symbol), si.si};
+}
+
+Quantity omega_of(BodyIndex body) { return {.kind = Kind::omega, .body = body}; }
+Quantity alpha_of(BodyIndex body) { return {.kind = Kind::alpha, .body = body}; }
+Quantity turning_of(BodyIndex body, Symbol::Letter letter) {
+    KG_ASSERT(letter == Letter::omega || letter == Letter::alpha, "a body turns with omega and alpha");
+    return letter == Letter::omega ? omega_of(body) : alpha_of(body);
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,71 @@
+// The catalogue of results: what all quantities of one kind have in common, one row for each kind. Names, units, sizes,
+// tables and checks are made from it; values are elsewhere (engine/solution/result_values.hpp).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "engine/file/units.hpp"
+#include "engine/sentences/quantity.hpp"
+#include "engine/sentences/statement.hpp"
+
+namespace kinegraph {
+
+struct ResultKind {
+    enum class Subject {
+        nothing,
+        body,
+        two_bodies,
+        point,      ///< as carried by a body
+        path,       ///< of a point as carried by a body
+        joint,      ///< between its two bodies
+        action,     ///< of a body or a pin on a body, at a joint
+        component,  ///< … along one direction
+        load,
+        mass,
+        effort,
+        bar
+    };
+    /// `along`: a vector that has one direction, and as a column its component along it.
+    enum class Shape { scalar, vector, along };
+
+    Quantity::Kind kind = Quantity::Kind::unnamed;
+    Subject subject = Subject::nothing;
+    Shape shape = Shape::scalar;
+    QuantityKind unit = QuantityKind::dimensionless;  ///< of a load or an effort: of a force, see unit_kind_of
+    Symbol::Letter letter = Symbol::Letter::point;
+    std::string_view name;         ///< in checks, before its subject: "omega", "force"
+    std::string_view ending = {};  ///< in checks, behind it: " couple"
+    std::string_view column = {};  ///< of its column, before the axis and its subject: "v" of "vx A"; empty: none
+
+    /// Of bodies: an angular velocity or acceleration.
+    bool turns() const { return unit == QuantityKind::angular_velocity || unit == QuantityKind::angular_acceleration; }
+    bool is_velocity() const { return unit == QuantityKind::velocity || unit == QuantityKind::angular_velocity; }
+    bool is_acceleration() const {
+        return unit == QuantityKind::acceleration || unit == QuantityKind::angular_acceleration;
+    }
+    /// A force, a couple or a power.
+    bool is_of_forces() const {
+        return unit == QuantityKind::force || unit == QuantityKind::moment || unit == QuantityKind::power;
+    }
+};
+
+/// The row of a kind.
+const ResultKind& result_kind(Quantity::Kind kind);
+inline const ResultKind& result_kind(const Quantity& quantity) { return result_kind(quantity.kind); }
+/// All rows, in the order of Quantity::Kind.
+std::span<const ResultKind> result_kinds();
+
+/// What a quantity is measured in: that of its row; for a load or an effort, a force or a moment.
+QuantityKind unit_kind_of(const Quantity& quantity, const Mechanism& mechanism);
+
+/// The unit that a file uses for a kind of quantity; the SI unit where it has none of its own.
+Unit unit_of(QuantityKind kind, const Units& units);
+
+/// ω of a body, and α.
+Quantity omega_of(BodyIndex body);
+Quantity alpha_of(BodyIndex body);
+/// The quantity that ω or α with the name of a body stands for.
+Quantity turning_of(BodyIndex body, Symbol::Letter letter);
+
+}  // namespace kinegraph
