@@ -7,13 +7,14 @@ import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, test} from 'node:test';
+import {fileURLToPath} from 'node:url';
 import {close, messages, open as openAt, page as tab, protocol, run as see} from './browser.mjs';
 import {differences, kindOf, readPage} from './page.mjs';
 import './watch_test.mjs';
 
 const [program, examples] = process.argv.slice(2);
 /** A mechanism of ours, with an angle of a plate, a root and a zero among its parameters. */
-const pressFile = join(import.meta.dirname, 'press.json');
+const pressFile = fileURLToPath(new URL('press.json', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
 after(async () => {
     await close();
@@ -603,7 +604,7 @@ test('polygons of one drawing keep apart, to one scale, and the bar of another s
 });
 
 // Where it is drawn its rod is nearly in line with the load: forces that lie on each other stand side by side, polygons are flat.
-const pumpFile = join(import.meta.dirname, 'pump.json'), elsewhere = 126 * Math.PI / 180;
+const pumpFile = fileURLToPath(new URL('pump.json', import.meta.url)), elsewhere = 126 * Math.PI / 180;
 
 test('strokes of polygons close where vectors are no longer in one line, with whole heads and labels of their own', async () => {
     await open(pageOf('pump', pumpFile));
