@@ -1,16 +1,14 @@
-// Formulas: a recursive-descent parser that computes value and dimension together.
+// Formulas: value and dimension of each node of the tree, from left to right.
 #include "engine/file/formula.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "engine/file/error.hpp"
-#include "engine/file/scanner.hpp"
+#include "engine/file/formula_syntax.hpp"
 #include "engine/number/assert.hpp"
 #include "lang/keys/expressions.hpp"
 
@@ -27,7 +25,6 @@ constexpr int working_bits = 600;
 /// A longer number is rounded to twice the working precision; otherwise a power of a power would grow without benefit.
 constexpr std::size_t bits_before_rounding = 4096;
 constexpr int guard_bits = 60;
-constexpr int deepest_formula = 100;
 
 const Exact& degree() {
     static const Exact size = pi() / 180;
@@ -126,12 +123,6 @@ Measured in_radians(Measured of) {
 /// The value of a result.
 Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size(of.value, kept_bits) : of.value; }
 
-Measured measured(const WrittenQuantity& written) {
-    const Dimension dimension = dimension_of(written.unit->kind);
-    Exact value = written.value * (written.unit->si / exact_power(degree(), dimension.angle));
-    return {.value = std::move(value), .dimension = dimension};
-}
-
 // ----- functions
 
 /// A value with an error bound.
@@ -192,171 +183,85 @@ std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
 constexpr std::array<std::string_view, 9> words_of_formulas{"sqrt", "sin", "cos", "tan", "atan2",
                                                             "abs",  "min", "max", "pi"};
 
-/// Length in bytes of the UTF-8 letter here that may be part of a name; 0: none.
-std::size_t letter_at(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(i < text.size() ? text[i] : 0); };
-    if (byte(at) < 0x80) return std::isalpha(byte(at)) != 0 || byte(at) == '_' ? 1 : 0;
-    // Latin with accents, Greek, Cyrillic; `°`, `²`, `·`, `µ` and the signs below À are no letters.
-    return byte(at) >= 0xC3 && byte(at) <= 0xD4 && (byte(at + 1) & 0xC0U) == 0x80 ? 2 : 0;
-}
-
-std::size_t name_length(std::string_view text) {
-    std::size_t at = letter_at(text, 0);
-    if (at == 0) return 0;
-    for (;;) {
-        const std::size_t letter = letter_at(text, at);
-        const bool digit = at < text.size() && text[at] >= '0' && text[at] <= '9';
-        if (letter == 0 && !digit) return at;
-        at += digit ? 1 : letter;
-    }
-}
-
 bool is_function(std::string_view name) {
     return name != "pi" &&
            std::find(words_of_formulas.begin(), words_of_formulas.end(), name) != words_of_formulas.end();
 }
 
-class Descent : Scanner {
+class Evaluation {
 public:
-    Descent(std::string_view text, const LookUp& look_up) : Scanner(text), look_up_(look_up) {}
+    Evaluation(std::string_view text, const LookUp& look_up) : text_(text), look_up_(look_up) {}
 
-    Evaluated whole() {
-        Evaluated result = sum();
-        if (!result) return result;
-        skip();
-        if (at_ < text_.size()) return unexpected_here();
-        return result;
+    Evaluated whole() const {
+        // "12 cm^2" is the square of 12 cm, for compatibility; "12 cm²" is an area. "10 N/m" is a force divided by the
+        // parameter m, if there is one.
+        const auto is_unit = [&](std::string_view spelt) {
+            const QuantityKind kind = unit_spelt(spelt)->kind;
+            if (kind == QuantityKind::area) return spelt.find('^') == std::string_view::npos;
+            return kind != QuantityKind::force_per_length || !look_up_(spelt.substr(spelt.find('/') + 1));
+        };
+        return of(read_syntax(text_, {.text = SyntaxOf::formula, .is_unit = is_unit}));
     }
 
 private:
-    tl::unexpected<Words> unexpected_here() const {
-        if (rest().empty()) return refused({lang::expressions::the_formula_ends_where_a_number});
-        if (rest().starts_with("−") || rest().starts_with("–"))
-            return refused({lang::expressions::a_minus_is_written_in_a});
-        if (rest().starts_with("·") || rest().starts_with("×"))
-            return refused({lang::expressions::a_product_is_written_in_a});
-        if (auto why = factor_without_sign()) return refused(*std::move(why));
-        return refused({lang::expressions::is_not_understood_here_brackets_numbers, quoted(rest())});
+    Evaluated of(const Syntax& node) const {
+        switch (node.kind) {
+            case Syntax::Kind::number: return measured(node);
+            case Syntax::Kind::name: return name(node.text);
+            case Syntax::Kind::function: return function(node);
+            case Syntax::Kind::fault: break;
+            case Syntax::Kind::sum:
+            case Syntax::Kind::product:
+            case Syntax::Kind::power:
+            case Syntax::Kind::negative: return operation(node);
+        }
+        for (const Syntax& part : node.parts)
+            if (Evaluated value = of(part); !value) return value;
+        return refused(why(node));
+    }
+    Evaluated operation(const Syntax& node) const {
+        Evaluated result = of(node.parts[0]);
+        if (result && node.kind == Syntax::Kind::negative) result->value = -result->value;
+        for (std::size_t i = 1; i < node.parts.size() && result; ++i) {
+            const Evaluated other = of(node.parts[i]);
+            if (!other) return other;
+            const bool is_inverse = node.parts[i].is_inverse;
+            result = node.kind == Syntax::Kind::sum     ? added(*std::move(result), *other, !is_inverse)
+                     : node.kind == Syntax::Kind::power ? raised(*result, *other)
+                     : is_inverse                       ? divided(*std::move(result), *other)
+                                                        : multiplied(*std::move(result), *other);
+        }
+        return result;
+    }
+    Evaluated name(std::string_view name) const {
+        if (is_function(name)) return refused({lang::expressions::is_a_function_write, name});
+        if (name != "pi") return look_up_(name);
+        Measured result = bare(pi());
+        result.is_in_radians = true;
+        return result;
     }
 
+    // ----- faults of syntax
+
+    Words why(const Syntax& fault) const {
+        if (fault.fault == Syntax::Fault::behind_number) {
+            const std::string_view word = fault.text.substr(0, word_length(fault.text));
+            if (means_something(word)) return product_wanted(fault.parts[0].text, word);
+            return unknown_unit_message(word, QuantityKind::dimensionless);
+        }
+        if (fault.fault == Syntax::Fault::behind_value)
+            if (auto product = factor_without_sign(fault.text)) return *std::move(product);
+        return words_of(fault, SyntaxOf::formula);
+    }
     /// The message for a unit, a name or a bracket directly after a value: how to write the product.
-    std::optional<Words> factor_without_sign() const {
-        const std::size_t last = text_.substr(0, at_).find_last_not_of(" \t");
-        if (last == std::string_view::npos) return std::nullopt;
-        const char before = text_[last];
-        const bool follows_a_value = before == ')' || static_cast<unsigned char>(before) >= 0x80 ||
-                                     std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_';
-        if (!follows_a_value) return std::nullopt;
-        constexpr std::size_t longest_unit = 16;
-        for (std::size_t length = std::min(longest_unit, rest().size()); length > 0; --length) {
-            const std::string_view spelt = rest().substr(0, length);
-            if (spelt.ends_with(' ') || unit_spelt(spelt) == nullptr || letter_at(rest(), length) > 0) continue;
-            if (means_something(spelt)) break;
-            return Words(lang::expressions::a_unit_stands_behind_a_number, std::string(spelt));
-        }
-        const std::string_view word = rest().substr(0, name_length(rest()));
+    std::optional<Words> factor_without_sign(std::string_view rest) const {
+        const std::string_view unit = rest.substr(0, unit_length(rest, {}));
+        if (!unit.empty() && !means_something(unit))
+            return Words(lang::expressions::a_unit_stands_behind_a_number, std::string(unit));
+        const std::string_view word = rest.substr(0, word_length(rest));
         if (means_something(word)) return product_wanted("…", word);
-        if (rest().starts_with('(')) return product_wanted("…", "(");
+        if (rest.starts_with('(')) return product_wanted("…", "(");
         return std::nullopt;
-    }
-
-    Evaluated sum() {
-        if (++depth_ > deepest_formula)
-            return refused({lang::expressions::a_formula_with_more_than_brackets, std::to_string(deepest_formula)});
-        Evaluated result = product();
-        while (result) {
-            const bool plus = takes('+');
-            if (!plus && !takes('-')) break;
-            Evaluated other = product();
-            if (!other) return other;
-            result = added(*result, *other, plus);
-        }
-        --depth_;
-        return result;
-    }
-    Evaluated product() {
-        Evaluated result = factor();
-        while (result) {
-            const bool times = takes('*');
-            if (!times && !takes('/')) break;
-            Evaluated other = factor();
-            if (!other) return other;
-            result = times ? multiplied(*result, *other) : divided(*result, *other);
-        }
-        return result;
-    }
-    Evaluated factor() {
-        bool negative = false;
-        for (;;) {
-            if (takes('-')) {
-                negative = !negative;
-            } else if (!takes('+')) {
-                break;
-            }
-        }
-        Evaluated result = power();
-        if (result && negative) result->value = -result->value;
-        return result;
-    }
-    Evaluated power() {
-        Evaluated base = operand();
-        if (!base || !takes('^')) return base;
-        if (++depth_ > deepest_formula) return refused({lang::expressions::too_many_powers_upon_each_other});
-        Evaluated exponent = factor();
-        --depth_;
-        if (!exponent) return exponent;
-        return raised(*base, *exponent);
-    }
-    Evaluated operand() {
-        skip();
-        if (takes('(')) {
-            Evaluated inner = sum();
-            if (inner && !takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
-            return inner;
-        }
-        if (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
-            return number();
-        const std::size_t length = name_length(text_.substr(at_));
-        if (length == 0) return unexpected_here();
-        const std::string_view name = text_.substr(at_, length);
-        at_ += length;
-        if (is_function(name)) return function(name);
-        if (name == "pi") {
-            Measured result = bare(pi());
-            result.is_in_radians = true;
-            return result;
-        }
-        return look_up_(name);
-    }
-
-    /// A number with the longest unit that follows it.
-    Evaluated number() {
-        std::size_t end = at_;
-        const auto digits = [&] {
-            while (end < text_.size() && std::isdigit(static_cast<unsigned char>(text_[end])) != 0) ++end;
-        };
-        digits();
-        if (end < text_.size() && text_[end] == '.') {
-            ++end;
-            digits();
-        }
-        if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
-            const std::size_t before = end++;
-            if (end < text_.size() && (text_[end] == '-' || text_[end] == '+')) ++end;
-            const std::size_t first = end;
-            digits();
-            if (end == first) end = before;
-        }
-        const std::string_view number = text_.substr(at_, end - at_);
-        auto value = read_decimal(number);
-        if (!value) return refused(std::move(value.error()));
-        at_ = end;
-        if (const KnownUnit* unit = takes_unit()) return measured({std::move(*value), unit});
-        skip();
-        const std::string_view word = text_.substr(at_, name_length(text_.substr(at_)));
-        if (means_something(word)) return refused(product_wanted(number, word));
-        if (!word.empty()) return refused(unknown_unit_message(word, QuantityKind::dimensionless));
-        return bare(std::move(*value));
     }
     /// Whether a word is valid as a factor in a formula.
     bool means_something(std::string_view word) const {
@@ -365,49 +270,19 @@ private:
     static Words product_wanted(std::string_view first, std::string_view second) {
         return {lang::expressions::a_product_is_written_with_not, std::string(first), std::string(second)};
     }
-    /// "12 cm^2" is the square of 12 cm, for compatibility; "12 cm²" is an area.
-    static bool means_a_power(std::string_view spelt) {
-        const KnownUnit* unit = unit_spelt(spelt);
-        return unit != nullptr && unit->kind == QuantityKind::area && spelt.find('^') != std::string_view::npos;
-    }
-    /// "10 N/m" is a force divided by the parameter m, if there is one.
-    bool divides_by_a_name(std::string_view spelt) const {
-        const KnownUnit* unit = unit_spelt(spelt);
-        if (unit == nullptr || unit->kind != QuantityKind::force_per_length) return false;
-        return look_up_(spelt.substr(spelt.find('/') + 1)).has_value();
-    }
-    const KnownUnit* takes_unit() {
-        std::size_t from = at_;
-        while (from < text_.size() && text_[from] == ' ') ++from;
-        constexpr std::size_t longest_unit = 16;
-        for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
-            const std::string_view spelt = text_.substr(from, length);
-            // A product sign belongs to the formula: "2 N*m" is a force times m. A unit must end at a word boundary.
-            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt.starts_with(' ')) continue;
-            const bool ends_a_letter = letter_at(spelt, length - 1) > 0;
-            const std::size_t behind = from + length;
-            const bool goes_on =
-                behind < text_.size() &&
-                (letter_at(text_, behind) > 0 || std::isdigit(static_cast<unsigned char>(text_[behind])) != 0);
-            if (ends_a_letter && goes_on) continue;
-            if (means_a_power(spelt) || divides_by_a_name(spelt)) continue;
-            if (const KnownUnit* unit = unit_spelt(spelt)) {
-                at_ = behind;
-                return unit;
-            }
-        }
-        return nullptr;
-    }
 
-    Evaluated function(std::string_view name) {
-        if (!takes('(')) return refused({lang::expressions::is_a_function_write, name});
+    Evaluated function(const Syntax& node) const {
+        const std::string_view name = node.text;
+        if (!is_function(name)) {
+            if (Evaluated value = this->name(name); !value) return value;
+            return refused(product_wanted("…", "("));
+        }
         std::vector<Measured> arguments;
-        do {
-            Evaluated argument = sum();
+        for (const Syntax& part : node.parts) {
+            Evaluated argument = of(part);
             if (!argument) return argument;
-            arguments.push_back(std::move(*argument));
-        } while (takes(','));
-        if (!takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
+            arguments.push_back(*std::move(argument));
+        }
         const bool any_number = name == "min" || name == "max";
         const std::size_t wanted = name == "atan2" ? 2 : 1;
         if (!any_number && arguments.size() != wanted)
@@ -604,8 +479,8 @@ private:
         return best;
     }
 
+    std::string_view text_;
     const LookUp& look_up_;
-    int depth_ = 0;
 };
 
 }  // namespace
@@ -617,7 +492,7 @@ bool is_formula(std::string_view text) {
 
 tl::expected<Measured, Words> evaluate(std::string_view formula, const LookUp& look_up) {
     KG_ASSERT(is_formula(formula), "a formula begins with =");
-    return Descent(formula.substr(formula.find('=') + 1), look_up).whole();
+    return Evaluation(formula.substr(formula.find('=') + 1), look_up).whole();
 }
 
 tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp& look_up) {
@@ -626,6 +501,18 @@ tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp&
     auto written = read_quantity(text, QuantityKind::dimensionless);
     if (!written) return refused(std::move(written.error()));
     return measured(*written);
+}
+
+tl::expected<Measured, Words> measured(const Syntax& number) {
+    auto value = read_decimal(number.text);
+    if (!value) return refused(std::move(value.error()));
+    if (number.unit == nullptr) return bare(*std::move(value));
+    return measured(WrittenQuantity{*std::move(value), number.unit});
+}
+Measured measured(const WrittenQuantity& written) {
+    const Dimension dimension = dimension_of(written.unit->kind);
+    Exact value = written.value * (written.unit->si / exact_power(degree(), dimension.angle));
+    return {.value = std::move(value), .dimension = dimension};
 }
 
 Measured bare(Exact value) { return {.value = std::move(value), .dimension = {}, .is_bare = true}; }
@@ -660,7 +547,7 @@ Words described(const Measured& value) {
 }
 
 bool is_parameter_name(std::string_view name) {
-    return !name.empty() && name_length(name) == name.size() && name != "pi" && !is_function(name);
+    return !name.empty() && word_length(name) == name.size() && name != "pi" && !is_function(name);
 }
 
 std::span<const std::string_view> formula_words() { return words_of_formulas; }

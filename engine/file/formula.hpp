@@ -1,13 +1,7 @@
 // Formulas of a file: "= 2*r + 10 mm" evaluated to a quantity, exactly where it is rational, else within 2^-200 of its
 // size, with its dimension checked at every step. Roots and sines are computed to 600 bits, and each value carries an
 // error bound. A value within its error bound of zero is zero; this is decided before a division or a root. Independent
-// of JSON and of the formula's position.
-//
-//   sum      = product { ("+" | "-") product }
-//   product  = factor { ("*" | "/") factor }
-//   factor   = ("+" | "-") factor | power
-//   power    = operand [ "^" factor ]
-//   operand  = number [ unit ] | name | function "(" sum { "," sum } ")" | "(" sum ")"
+// of JSON and of the formula's position. The grammar: engine/file/formula_syntax.hpp.
 #pragma once
 
 #include <functional>
@@ -23,6 +17,8 @@
 #include "lang/words.hpp"
 
 namespace kinegraph {
+
+struct Syntax;
 
 /// Exponents of the base quantities. The angle is one of them, so that a length plus an angle is an error. In a product
 /// it is dropped where the radian is (ω² r is an acceleration).
@@ -53,6 +49,9 @@ bool is_formula(std::string_view text);
 tl::expected<Measured, Words> evaluate(std::string_view formula, const LookUp& look_up);
 /// A parameter's text: "40 mm", "= 2*r", or (on the command line) "3".
 tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp& look_up);
+/// A number of a formula, with its unit. Error: it is no decimal.
+tl::expected<Measured, Words> measured(const Syntax& number);
+Measured measured(const WrittenQuantity& written);
 /// A bare number.
 Measured bare(Exact value);
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <string_view>
 
-namespace kinegraph {
+#include "engine/file/units.hpp"
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace kinegraph {
 
 class Scanner {
 protected:

@@ -8,7 +8,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/file/scanner.hpp"
 #include "engine/number/assert.hpp"
 #include "lang/keys/units.hpp"
 
@@ -185,25 +184,6 @@ const KnownUnit* unit_meant(std::string_view text, QuantityKind wanted) {
     return nearest;
 }
 
-/// Length of the number at the text's beginning; an `e` counts only if digits follow ("2 e" has none).
-std::size_t number_length(std::string_view text) {
-    std::size_t at = 0;
-    const auto digits = [&](std::size_t i) {
-        while (i < text.size() && is_digit(text[i])) ++i;
-        return i;
-    };
-    if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
-    at = digits(at);
-    if (at < text.size() && text[at] == '.') at = digits(at + 1);
-    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-        std::size_t exponent = at + 1;
-        if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
-        const std::size_t end = digits(exponent);
-        if (end > exponent) at = end;
-    }
-    return at;
-}
-
 /// A decimal number as written: value = ± 0.d₁d₂d₃… · 10^order.
 struct WrittenDecimal {
     bool negative = false;
@@ -363,6 +343,24 @@ Words unknown_unit_message(std::string_view text, QuantityKind wanted) {
     if (wanted != QuantityKind::dimensionless)
         message += Words(lang::units::the_units, name_of(wanted), units_of(wanted));
     return message;
+}
+
+std::size_t number_length(std::string_view text) {
+    std::size_t at = 0;
+    const auto digits = [&](std::size_t i) {
+        while (i < text.size() && is_digit(text[i])) ++i;
+        return i;
+    };
+    if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+    at = digits(at);
+    if (at < text.size() && text[at] == '.') at = digits(at + 1);
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        std::size_t exponent = at + 1;
+        if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
+        const std::size_t end = digits(exponent);
+        if (end > exponent) at = end;
+    }
+    return at;
 }
 
 tl::expected<Exact, Words> read_decimal(std::string_view text) {

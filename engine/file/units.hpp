@@ -60,6 +60,9 @@ std::string units_of(QuantityKind kind);
 /// list.
 Words unknown_unit_message(std::string_view text, QuantityKind wanted);
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// Length of the number at the text's beginning; an `e` counts only if digits follow ("2 e" has none).
+std::size_t number_length(std::string_view text);
 /// A decimal as JSON writes it (a leading + is accepted), exactly. Errors, with the reason: not a decimal; more than
 /// 1000 digits; a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. The cost is linear in the
 /// text's length, whatever the exponent.
