@@ -1,4 +1,4 @@
-// Parsing, dimension checks, printing and evaluation of expressions.
+// Reading, dimension checks, printing and evaluation of expressions.
 #include "engine/file/expression.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/file/error.hpp"
-#include "engine/file/scanner.hpp"
+#include "engine/file/formula_syntax.hpp"
 #include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
@@ -18,40 +18,13 @@ namespace {
 using Kind = Expression::Kind;
 using ParsedExpression = tl::expected<Expression, Words>;
 
-constexpr std::size_t longest_expression = 1000;
-constexpr int deepest_expression = 100;
 constexpr double highest_degree = 1000;
 constexpr std::size_t most_bits_folded = 2000;
 constexpr double longest_derivative = 4000;
 
-constexpr std::array<std::pair<std::string_view, Elementary>, 12> functions{{{"sin", Elementary::sin},
-                                                                             {"cos", Elementary::cos},
-                                                                             {"tan", Elementary::tan},
-                                                                             {"asin", Elementary::asin},
-                                                                             {"acos", Elementary::acos},
-                                                                             {"atan", Elementary::atan},
-                                                                             {"sinh", Elementary::sinh},
-                                                                             {"cosh", Elementary::cosh},
-                                                                             {"tanh", Elementary::tanh},
-                                                                             {"exp", Elementary::exp},
-                                                                             {"log", Elementary::log},
-                                                                             {"abs", Elementary::abs}}};
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0;
-}
-
-/// Greek and accented letters may occur in names; unit signs (`°`, `²`, `·`) may not.
-std::size_t known_name_length(std::string_view text) {
-    std::size_t length = 0;
-    for (std::size_t k = 1; k <= text.size(); ++k) {
-        if (!is_letter(text[k - 1]) && !is_digit(text[k - 1])) break;
-        if (is_parameter_name(text.substr(0, k)) || text.substr(0, k) == "pi" || elementary_called(text.substr(0, k)) ||
-            std::find(formula_words().begin(), formula_words().end(), text.substr(0, k)) != formula_words().end())
-            length = k;
-    }
-    return length;
-}
+/// In the order of Elementary.
+constexpr std::array<std::string_view, 12> names_of_functions{"sin",  "cos",  "tan",  "asin", "acos", "atan",
+                                                              "sinh", "cosh", "tanh", "exp",  "log",  "abs"};
 
 // ----- size
 
@@ -96,150 +69,88 @@ struct Size {
     double itself = 1, first = 0, second = 0;
 };
 Size size_of(const Expression& of) {
-    Size size;
-    switch (of.kind) {
-        case Kind::variable: return {1, 1, 0};
-        case Kind::sum:
-            size = {0, 0, 0};
-            for (const Expression& part : of.parts) {
-                const Size each = size_of(part);
-                size = {size.itself + each.itself, size.first + each.first, size.second + each.second};
-            }
-            return size;
-        case Kind::product: {
-            size = {0, 0, 0};
-            std::vector<Size> each;
-            for (const Expression& part : of.parts) each.push_back(size_of(part));
-            for (const Size& part : each) size.itself += part.itself;
-            double varying = 0;
-            for (const Size& part : each) {
-                if (part.first == 0) continue;
-                varying += 1;
-                size.first += size.itself + part.first;
-                size.second += size.itself + part.second + part.first;
-            }
-            size.second += varying * (varying - 1) * size.itself + varying * size.first;
-            return size;
-        }
-        case Kind::power:
-        case Kind::function: {
-            size = {1, 0, 0};
-            for (const Expression& part : of.parts) {
-                const Size each = size_of(part);
-                size = {size.itself + each.itself, size.first + each.first, size.second + each.second};
-            }
-            if (size.first == 0) return {size.itself, 0, 0};
-            return {size.itself, 2 * size.itself + size.first, 3 * size.itself + 3 * size.first + size.second};
-        }
-        case Kind::number:
-        case Kind::pi:
-        case Kind::constant: break;
+    if (of.kind == Kind::variable) return {1, 1, 0};
+    if (of.parts.empty()) return {};
+    std::vector<Size> each;
+    Size all{0, 0, 0};
+    for (const Expression& part : of.parts) {
+        const Size& size = each.emplace_back(size_of(part));
+        all = {all.itself + size.itself, all.first + size.first, all.second + size.second};
     }
-    return size;
+    if (of.kind == Kind::sum) return all;
+    if (of.kind == Kind::product) {
+        Size product{all.itself, 0, 0};
+        double varying = 0;
+        for (const Size& part : each) {
+            if (part.first == 0) continue;
+            varying += 1;
+            product.first += all.itself + part.first;
+            product.second += all.itself + part.second + part.first;
+        }
+        product.second += varying * (varying - 1) * all.itself + varying * product.first;
+        return product;
+    }
+    all.itself += 1;
+    if (all.first == 0) return {all.itself, 0, 0};
+    return {all.itself, 2 * all.itself + all.first, 3 * all.itself + 3 * all.first + all.second};
 }
 
-// ----- the grammar
+// ----- reading
 
-class Reader : Scanner {
+/// Makes the expression of a tree of syntax.
+class LawReader {
 public:
-    Reader(std::string_view text, std::string_view variable, const LookUp& look_up, NamedConstants& constants)
-        : Scanner(text), variable_(variable), look_up_(look_up), constants_(constants) {}
+    LawReader(std::string_view text, std::string_view variable, const LookUp& look_up, NamedConstants& constants)
+        : text_(text), variable_(variable), look_up_(look_up), constants_(constants) {}
 
     ParsedExpression whole() {
-        ParsedExpression result = sum();
-        if (!result) return result;
-        skip();
-        if (at_ < text_.size()) return unexpected_here();
-        return result;
+        // In "2t" the t is the time, not a tonne.
+        return of(read_syntax(text_, {.is_unit = [this](std::string_view spelt) { return spelt != variable_; }}));
     }
 
 private:
-    tl::unexpected<Words> unexpected_here() const {
-        if (rest().empty()) return refused({lang::expressions::the_expression_ends_where_a_number});
-        if (rest().starts_with("−") || rest().starts_with("–")) return refused({lang::expressions::a_minus_is_written});
-        if (rest().starts_with("·") || rest().starts_with("×") || is_letter(rest()[0]) || rest()[0] == '(' ||
-            is_digit(rest()[0]))
-            return refused({lang::expressions::a_product_is_written, quoted(rest())});
-        return refused({lang::expressions::is_not_understood_here_brackets_numbers, quoted(rest())});
-    }
-    bool too_deep() {
-        if (++depth_ <= deepest_expression) return false;
-        return true;
-    }
-    static tl::unexpected<Words> deeper_than_read() {
-        return refused({lang::expressions::an_expression_with_more_than_brackets, std::to_string(deepest_expression)});
-    }
-
-    ParsedExpression sum() {
-        if (too_deep()) return deeper_than_read();
-        ParsedExpression first = product();
-        std::vector<Expression> terms;
-        while (first) {
-            const bool plus = takes('+');
-            if (!plus && !takes('-')) break;
-            ParsedExpression other = product();
-            if (!other) return other;
-            terms.push_back(plus ? *std::move(other) : negated(*std::move(other)));
+    ParsedExpression of(const Syntax& node) {
+        switch (node.kind) {
+            case Syntax::Kind::number: return number(node);
+            case Syntax::Kind::name: return name(node.text);
+            case Syntax::Kind::function: return function(node);
+            case Syntax::Kind::sum:
+            case Syntax::Kind::product:
+            case Syntax::Kind::power:
+            case Syntax::Kind::negative: return operation(node);
+            case Syntax::Kind::fault: break;
         }
-        --depth_;
-        if (!first || terms.empty()) return first;
-        terms.insert(terms.begin(), *std::move(first));
-        return folded(Expression::of(Kind::sum, std::move(terms)));
+        for (const Syntax& part : node.parts)
+            if (ParsedExpression read = of(part); !read) return read;
+        return refused(words_of(node, SyntaxOf::expression));
     }
-    ParsedExpression product() {
-        ParsedExpression first = factor();
-        std::vector<Expression> factors;
-        while (first) {
-            const bool times = takes('*');
-            if (!times && !takes('/')) break;
-            ParsedExpression other = factor();
-            if (!other) return other;
-            if (!times) {
-                if (other->is_number(0)) return by_zero();
-                other = other->kind == Kind::number
-                            ? Expression::number(1 / other->value)
-                            : Expression::of(Kind::power, {*std::move(other), Expression::number(-1)});
-            }
-            factors.push_back(*std::move(other));
+    ParsedExpression operation(const Syntax& node) {
+        const bool is_sum = node.kind == Syntax::Kind::sum;
+        std::vector<Expression> parts;
+        for (const Syntax& each : node.parts) {
+            ParsedExpression part = of(each);
+            if (part && each.is_inverse) part = is_sum ? negated(*std::move(part)) : inverse(*std::move(part));
+            if (!part) return part;
+            parts.push_back(*std::move(part));
         }
-        if (!first || factors.empty()) return first;
-        factors.insert(factors.begin(), *std::move(first));
-        return folded(Expression::of(Kind::product, std::move(factors)));
+        if (node.kind == Syntax::Kind::negative) return negated(std::move(parts[0]));
+        if (node.kind == Syntax::Kind::power) return raised(std::move(parts[0]), std::move(parts[1]));
+        return folded(Expression::of(is_sum ? Kind::sum : Kind::product, std::move(parts)));
     }
     static tl::unexpected<Words> by_zero() { return refused({lang::expressions::the_expression_divides_by_zero}); }
+    static ParsedExpression inverse(Expression of) {
+        if (of.is_number(0)) return by_zero();
+        if (of.kind == Kind::number) return Expression::number(1 / of.value);
+        return Expression::of(Kind::power, {std::move(of), Expression::number(-1)});
+    }
     static Expression negated(Expression of) {
         if (of.kind == Kind::number) return Expression::number(-of.value);
-        if (of.kind == Kind::product && of.parts[0].kind == Kind::number) {
+        if (of.kind != Kind::product) return Expression::of(Kind::product, {Expression::number(-1), std::move(of)});
+        if (of.parts[0].kind == Kind::number)
             of.parts[0].value = -of.parts[0].value;
-            return of;
-        }
-        if (of.kind == Kind::product) {
+        else
             of.parts.insert(of.parts.begin(), Expression::number(-1));
-            return of;
-        }
-        return Expression::of(Kind::product, {Expression::number(-1), std::move(of)});
-    }
-    ParsedExpression factor() {
-        bool negative = false;
-        for (;;) {
-            if (takes('-')) {
-                negative = !negative;
-            } else if (!takes('+')) {
-                break;
-            }
-        }
-        ParsedExpression result = power();
-        if (result && negative) return negated(*std::move(result));
-        return result;
-    }
-    ParsedExpression power() {
-        ParsedExpression base = operand();
-        if (!base || !takes('^')) return base;
-        if (too_deep()) return deeper_than_read();
-        ParsedExpression exponent = factor();
-        --depth_;
-        if (!exponent) return exponent;
-        return raised(*std::move(base), *std::move(exponent));
+        return of;
     }
     static ParsedExpression raised(Expression base, Expression exponent) {
         if (const auto number = number_of(exponent)) {
@@ -278,111 +189,53 @@ private:
         return refused({lang::expressions::a_number_of_more_than_digits, std::to_string(most_bits_folded * 3 / 20)});
     }
 
-    ParsedExpression operand() {
-        skip();
-        if (takes('(')) {
-            ParsedExpression inner = sum();
-            if (inner && !takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
-            return inner;
-        }
-        if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) return number();
-        const std::size_t length = known_name_length(rest());
-        if (length == 0) return unexpected_here();
-        const std::string_view name = text_.substr(at_, length);
-        at_ += length;
-        skip();
-        if (at_ < text_.size() && text_[at_] == '(') return function(name);
+    ParsedExpression number(const Syntax& node) {
+        auto value = measured(node);
+        if (!value) return refused(std::move(value.error()));
+        if (node.unit == nullptr) return Expression::number(std::move(value->value));
+        const std::string_view between = node.unit_text == "°" ? "" : " ";
+        return added({}, std::string(node.text).append(between).append(node.unit_text), *std::move(value));
+    }
+    ParsedExpression name(std::string_view name) {
         if (name == variable_) return Expression::of(Kind::variable);
         if (name == "pi") return Expression::of(Kind::pi);
-        return constant(name);
-    }
-    ParsedExpression function(std::string_view name) {
-        const auto known = elementary_called(name);
-        if (!known && name != "sqrt" && name != "ln") {
-            if (name == variable_ || look_up_(name)) return unexpected_here();
-            return refused({lang::expressions::is_no_function_known_here_there, quoted(name)});
-        }
-        takes('(');
-        ParsedExpression argument = sum();
-        if (!argument) return argument;
-        if (!takes(')')) return refused({lang::expressions::a_bracket_is_not_closed});
-        if (name == "sqrt") return raised(*std::move(argument), Expression::number(Exact::ratio(1, 2)));
-        return Expression::of(known.value_or(Elementary::log), *std::move(argument));
-    }
-    ParsedExpression constant(std::string_view name) {
         const auto found = std::find_if(constants_.begin(), constants_.end(),
                                         [&](const NamedConstant& each) { return each.name == name; });
         if (found != constants_.end()) return Expression::named(static_cast<std::size_t>(found - constants_.begin()));
         auto value = look_up_(name);
         if (!value) return refused(std::move(value.error()));
-        add(std::string(name), std::string(name), *value);
+        return added(std::string(name), std::string(name), *std::move(value));
+    }
+    Expression added(std::string name, std::string as_written, Measured value) {
+        const Dimension dimension = value.dimension;
+        constants_.push_back({std::move(name), std::move(as_written), in_radians(std::move(value)).value, dimension});
         return Expression::named(constants_.size() - 1);
     }
-    void add(std::string name, std::string as_written, const Measured& value) {
-        Exact in_radians = value.value;
-        static const Exact degree = pi() / 180;
-        for (int i = 0; i < std::abs(value.dimension.angle); ++i)
-            in_radians = value.dimension.angle > 0 ? in_radians * degree : in_radians / degree;
-        constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), value.dimension});
+    ParsedExpression function(const Syntax& node) {
+        const std::string_view name = node.text;
+        const auto known = name == "ln" ? Elementary::log : elementary_called(name);
+        if (!known && name != "sqrt") {
+            const std::string_view bracket = text_.substr(text_.find('(', node.at));
+            if (name == variable_ || look_up_(name))
+                return refused({lang::expressions::a_product_is_written, quoted(bracket)});
+            return refused({lang::expressions::is_no_function_known_here_there, quoted(name)});
+        }
+        std::vector<Expression> arguments;
+        for (const Syntax& each : node.parts) {
+            ParsedExpression argument = of(each);
+            if (!argument) return argument;
+            arguments.push_back(*std::move(argument));
+        }
+        if (arguments.size() > 1)
+            return refused({lang::expressions::is_written_with_between_the_brackets, name, std::string(name) + "(x)",
+                            lang::expressions::one_value});
+        if (!known) return raised(std::move(arguments[0]), Expression::number(Exact::ratio(1, 2)));
+        return Expression::of(*known, std::move(arguments[0]));
     }
 
-    ParsedExpression number() {
-        std::size_t end = at_;
-        const auto digits = [&] {
-            while (end < text_.size() && is_digit(text_[end])) ++end;
-        };
-        digits();
-        if (end < text_.size() && text_[end] == '.') {
-            ++end;
-            digits();
-        }
-        if (end + 1 < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
-            std::size_t exponent = end + 1;
-            if (text_[exponent] == '-' || text_[exponent] == '+') ++exponent;
-            if (exponent < text_.size() && is_digit(text_[exponent])) {
-                end = exponent;
-                digits();
-            }
-        }
-        const std::string_view digits_of = text_.substr(at_, end - at_);
-        auto value = read_decimal(digits_of);
-        if (!value) return refused(std::move(value.error()));
-        at_ = end;
-        const std::string_view unit = takes_unit();
-        if (unit.empty()) return Expression::number(*std::move(value));
-        const std::string spelt = std::string(digits_of) + " " + std::string(unit);
-        const auto quantity = read_measured(spelt, look_up_);
-        if (!quantity) return refused(quantity.error());
-        add({}, unit == "°" ? std::string(digits_of) + "°" : spelt, *quantity);
-        return Expression::named(constants_.size() - 1);
-    }
-    /// The longest unit at this position that ends at a word boundary.
-    std::string_view takes_unit() {
-        std::size_t from = at_;
-        while (from < text_.size() && text_[from] == ' ') ++from;
-        constexpr std::size_t longest_unit = 16;
-        for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
-            const std::string_view spelt = text_.substr(from, length);
-            // In "2t" the t is the time, not a tonne.
-            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt == variable_ ||
-                unit_spelt(spelt) == nullptr)
-                continue;
-            const std::size_t behind = from + length;
-            const bool goes_on = behind < text_.size() && is_letter(spelt.back()) &&
-                                 (is_letter(text_[behind]) || is_digit(text_[behind])) &&
-                                 static_cast<signed char>(spelt.back()) >= 0 &&
-                                 static_cast<signed char>(text_[behind]) >= 0;
-            if (goes_on) continue;
-            at_ = behind;
-            return spelt;
-        }
-        return {};
-    }
-
-    std::string_view variable_;
+    std::string_view text_, variable_;
     const LookUp& look_up_;
     NamedConstants& constants_;
-    int depth_ = 0;
 };
 
 // ----- dimensions
@@ -413,7 +266,7 @@ public:
                 for (const Expression& part : expression.parts) {
                     Found each = of(part);
                     if (!each) return each;
-                    whole = {whole.length + each->length, whole.mass + each->mass, whole.time + each->time, 0};
+                    whole = whole * *each;
                 }
                 return whole;
             }
@@ -453,11 +306,8 @@ private:
         if (power.parts[1].kind != Kind::number)
             return refused({lang::expressions::is_so_its_exponent_must, spelt(power.parts[0]), described_as(*base)});
         const mpq_class& to = power.parts[1].value.rational();
-        const long top = to.get_num().get_si(), below = to.get_den().get_si();
-        const auto times = [&](int each) { return static_cast<int>(each * top / below); };
-        if (base->length * top % below != 0 || base->mass * top % below != 0 || base->time * top % below != 0)
-            return refused({lang::expressions::no_quantity_is_that_root, spelt(power.parts[0]), described_as(*base)});
-        return Dimension{times(base->length), times(base->mass), times(base->time), 0};
+        if (const auto whole = power_of(*base, to.get_num().get_si(), to.get_den().get_si())) return *whole;
+        return refused({lang::expressions::no_quantity_is_that_root, spelt(power.parts[0]), described_as(*base)});
     }
 
     const NamedConstants& constants_;
@@ -481,16 +331,12 @@ Dimension plain_dimension(QuantityKind kind) {
 
 // ----- trees
 
-std::string_view name_of(Elementary function) {
-    const auto* const found =
-        std::find_if(functions.begin(), functions.end(), [&](const auto& each) { return each.second == function; });
-    return found->first;
-}
+std::string_view name_of(Elementary function) { return names_of_functions.at(static_cast<std::size_t>(function)); }
 std::optional<Elementary> elementary_called(std::string_view name) {
-    const auto* const found =
-        std::find_if(functions.begin(), functions.end(), [&](const auto& each) { return each.first == name; });
-    if (found == functions.end() || found->second == Elementary::abs) return std::nullopt;
-    return found->second;
+    const auto* const found = std::find(names_of_functions.begin(), names_of_functions.end(), name);
+    const auto function = static_cast<Elementary>(found - names_of_functions.begin());
+    if (found == names_of_functions.end() || function == Elementary::abs) return std::nullopt;
+    return function;
 }
 Expression Expression::number(Exact value) {
     Expression made;
@@ -522,9 +368,7 @@ bool depends_on_variable(const Expression& of) {
 
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
                                                NamedConstants& constants) {
-    if (text.size() > longest_expression)
-        return refused({lang::expressions::an_expression_of_more_than_characters, std::to_string(longest_expression)});
-    ParsedExpression tree = Reader(text, form.variable, look_up, constants).whole();
+    ParsedExpression tree = LawReader(text, form.variable, look_up, constants).whole();
     if (!tree) return refused(std::move(tree.error()));
     if (size_of(*tree).second > longest_derivative)
         return refused({lang::expressions::its_derivatives_would_fill_pages_write});
@@ -653,45 +497,50 @@ std::string written(const Expression& of, const NamedConstants& constants, std::
 namespace {
 
 constexpr double unit_roundoff = 4 * std::numeric_limits<double>::epsilon();
+constexpr double not_real = std::numeric_limits<double>::quiet_NaN();
 
-/// f(u), and the factor by which an error of u is multiplied.
-std::pair<double, double> value_and_slope(Elementary function, double u) {
+/// f, f′ and f″ at u.
+Jet derivatives(Elementary function, double u) {
+    const double root = std::sqrt(1 - u * u);
     switch (function) {
-        case Elementary::sin: return {std::sin(u), std::cos(u)};
-        case Elementary::cos: return {std::cos(u), -std::sin(u)};
-        case Elementary::tan: return {std::tan(u), 1 + std::tan(u) * std::tan(u)};
-        case Elementary::asin: return {std::asin(u), 1 / std::sqrt(1 - u * u)};
-        case Elementary::acos: return {std::acos(u), -1 / std::sqrt(1 - u * u)};
-        case Elementary::atan: return {std::atan(u), 1 / (1 + u * u)};
-        case Elementary::sinh: return {std::sinh(u), std::cosh(u)};
-        case Elementary::cosh: return {std::cosh(u), std::sinh(u)};
-        case Elementary::tanh: return {std::tanh(u), 1 - std::tanh(u) * std::tanh(u)};
-        case Elementary::exp: return {std::exp(u), std::exp(u)};
-        case Elementary::log: return {u > 0 ? std::log(u) : std::numeric_limits<double>::quiet_NaN(), 1 / u};
-        case Elementary::abs: return {std::abs(u), u < 0 ? -1.0 : 1.0};
+        case Elementary::sin: return {std::sin(u), std::cos(u), -std::sin(u)};
+        case Elementary::cos: return {std::cos(u), -std::sin(u), -std::cos(u)};
+        case Elementary::tan: {
+            const double tan = std::tan(u), slope = 1 + tan * tan;
+            return {tan, slope, 2 * tan * slope};
+        }
+        case Elementary::asin: return {std::asin(u), 1 / root, u / (root * root * root)};
+        case Elementary::acos: return {std::acos(u), -1 / root, -u / (root * root * root)};
+        case Elementary::atan: return {std::atan(u), 1 / (1 + u * u), -2 * u / ((1 + u * u) * (1 + u * u))};
+        case Elementary::sinh: return {std::sinh(u), std::cosh(u), std::sinh(u)};
+        case Elementary::cosh: return {std::cosh(u), std::sinh(u), std::cosh(u)};
+        case Elementary::tanh: {
+            const double tanh = std::tanh(u), slope = 1 - tanh * tanh;
+            return {tanh, slope, -2 * tanh * slope};
+        }
+        case Elementary::exp: return {std::exp(u), std::exp(u), std::exp(u)};
+        case Elementary::log: return {u > 0 ? std::log(u) : not_real, 1 / u, -1 / (u * u)};
+        case Elementary::abs: return {std::abs(u), u < 0 ? -1.0 : 1.0, 0};
     }
-    return {0, 0};
-}
-double second_slope(Elementary function, double u) {
-    const double root = std::sqrt(1 - u * u), tangent = std::tan(u), hyperbolic = std::tanh(u);
-    switch (function) {
-        case Elementary::sin: return -std::sin(u);
-        case Elementary::cos: return -std::cos(u);
-        case Elementary::tan: return 2 * tangent * (1 + tangent * tangent);
-        case Elementary::asin: return u / (root * root * root);
-        case Elementary::acos: return -u / (root * root * root);
-        case Elementary::atan: return -2 * u / ((1 + u * u) * (1 + u * u));
-        case Elementary::sinh: return std::sinh(u);
-        case Elementary::cosh: return std::cosh(u);
-        case Elementary::tanh: return -2 * hyperbolic * (1 - hyperbolic * hyperbolic);
-        case Elementary::exp: return std::exp(u);
-        case Elementary::log: return -1 / (u * u);
-        case Elementary::abs: return 0;
-    }
-    return 0;
+    return {};
 }
 
-Estimate power_of(const Estimate& base, const Estimate& exponent) {
+// Sums, products, powers and functions of estimates and of jets.
+
+Estimate rounded_value(double value) { return {value, unit_roundoff * std::abs(value)}; }
+Estimate plus(const Estimate& a, const Estimate& b) {
+    return {a.value + b.value, a.noise + (b.noise + unit_roundoff * std::abs(b.value))};
+}
+Estimate times(const Estimate& a, const Estimate& b) {
+    const double value = a.value * b.value;
+    return {value, std::abs(a.value) * b.noise + std::abs(b.value) * a.noise + unit_roundoff * std::abs(value)};
+}
+Estimate applied(Elementary function, const Estimate& u) {
+    const auto [value, slope, second] = derivatives(function, u.value);
+    const double carried = std::isfinite(slope) ? std::abs(slope) * u.noise : 0;
+    return {value, carried + unit_roundoff * std::abs(value)};
+}
+Estimate raised(const Estimate& base, const Estimate& exponent, bool /*constant_exponent*/) {
     const double value = std::pow(base.value, exponent.value);
     double noise = unit_roundoff * std::abs(value);
     if (base.noise > 0 && exponent.value != 0) {
@@ -702,100 +551,64 @@ Estimate power_of(const Estimate& base, const Estimate& exponent) {
     return {value, noise};
 }
 
+Jet plus(const Jet& a, const Jet& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Jet times(const Jet& a, const Jet& b) {
     return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2 * a[1] * b[1] + a[0] * b[2]};
 }
 /// The jet of f(u) from f, f′, f″ at u and the jet of u.
-Jet composed(double value, double first, double second, const Jet& u) {
-    if (u[1] == 0 && u[2] == 0) return {value, 0, 0};
-    return {value, first * u[1], second * u[1] * u[1] + first * u[2]};
+Jet composed(const Jet& f, const Jet& u) {
+    if (u[1] == 0 && u[2] == 0) return {f[0], 0, 0};
+    return {f[0], f[1] * u[1], f[2] * u[1] * u[1] + f[1] * u[2]};
 }
-Jet power_of(const Jet& base, const Jet& exponent, bool constant_exponent) {
+Jet applied(Elementary function, const Jet& u) { return composed(derivatives(function, u[0]), u); }
+Jet raised(const Jet& base, const Jet& exponent, bool constant_exponent) {
     if (constant_exponent) {
         const double n = exponent[0];
         const double value = std::pow(base[0], n);
         const double first = n == 0 ? 0 : n * std::pow(base[0], n - 1);
         const double second = n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(base[0], n - 2);
-        return composed(value, first, second, base);
+        return composed({value, first, second}, base);
     }
-    const Jet logarithm = composed(base[0] > 0 ? std::log(base[0]) : std::numeric_limits<double>::quiet_NaN(),
-                                   1 / base[0], -1 / (base[0] * base[0]), base);
-    const Jet u = times(exponent, logarithm);
-    const double value = std::exp(u[0]);
-    return composed(value, value, value, u);
+    return applied(Elementary::exp, times(exponent, applied(Elementary::log, base)));
+}
+
+/// The values of the leaves of an expression.
+template <class Number>
+struct Leaves {
+    const NamedConstants& constants;
+    Number variable, pi;
+    Number (*known)(double);
+};
+template <class Number>
+Number value_of(const Expression& of, const Leaves<Number>& leaves) {
+    const auto joined = [&](Number value, Number (*join)(const Number&, const Number&)) {
+        for (const Expression& part : of.parts) value = join(value, value_of(part, leaves));
+        return value;
+    };
+    switch (of.kind) {
+        case Kind::number: return leaves.known(of.value.to_double());
+        case Kind::pi: return leaves.pi;
+        case Kind::constant: return leaves.known(leaves.constants[of.constant].value.to_double());
+        case Kind::variable: return leaves.variable;
+        case Kind::sum: return joined({}, plus);
+        case Kind::product: return joined({1}, times);
+        case Kind::power:
+            return raised(value_of(of.parts[0], leaves), value_of(of.parts[1], leaves),
+                          !depends_on_variable(of.parts[1]));
+        case Kind::function: return applied(of.function, value_of(of.parts[0], leaves));
+    }
+    return {};
 }
 
 }  // namespace
 
 Estimate estimate(const Expression& of, const NamedConstants& constants, double variable) {
-    switch (of.kind) {
-        case Kind::number: return {of.value.to_double(), unit_roundoff * std::abs(of.value.to_double())};
-        case Kind::pi: return {std::numbers::pi, unit_roundoff};
-        case Kind::constant: {
-            const double value = constants[of.constant].value.to_double();
-            return {value, unit_roundoff * std::abs(value)};
-        }
-        case Kind::variable: return {variable, unit_roundoff * std::abs(variable)};
-        case Kind::sum: {
-            Estimate sum;
-            for (const Expression& part : of.parts) {
-                const Estimate each = estimate(part, constants, variable);
-                sum.value += each.value;
-                sum.noise += each.noise + unit_roundoff * std::abs(each.value);
-            }
-            return sum;
-        }
-        case Kind::product: {
-            Estimate product{1, 0};
-            for (const Expression& part : of.parts) {
-                const Estimate each = estimate(part, constants, variable);
-                product.noise = std::abs(product.value) * each.noise + std::abs(each.value) * product.noise;
-                product.value *= each.value;
-                product.noise += unit_roundoff * std::abs(product.value);
-            }
-            return product;
-        }
-        case Kind::power:
-            return power_of(estimate(of.parts[0], constants, variable), estimate(of.parts[1], constants, variable));
-        case Kind::function: {
-            const Estimate argument = estimate(of.parts[0], constants, variable);
-            const auto [value, slope] = value_and_slope(of.function, argument.value);
-            const double carried = std::isfinite(slope) ? std::abs(slope) * argument.noise : 0;
-            return {value, carried + unit_roundoff * std::abs(value)};
-        }
-    }
-    return {};
+    return value_of<Estimate>(of,
+                              {constants, rounded_value(variable), {std::numbers::pi, unit_roundoff}, rounded_value});
 }
-
 Jet jet(const Expression& of, const NamedConstants& constants, double variable) {
-    switch (of.kind) {
-        case Kind::number: return {of.value.to_double(), 0, 0};
-        case Kind::pi: return {std::numbers::pi, 0, 0};
-        case Kind::constant: return {constants[of.constant].value.to_double(), 0, 0};
-        case Kind::variable: return {variable, 1, 0};
-        case Kind::sum: {
-            Jet sum{};
-            for (const Expression& part : of.parts) {
-                const Jet each = jet(part, constants, variable);
-                for (std::size_t i = 0; i < sum.size(); ++i) sum.at(i) += each.at(i);
-            }
-            return sum;
-        }
-        case Kind::product: {
-            Jet product{1, 0, 0};
-            for (const Expression& part : of.parts) product = times(product, jet(part, constants, variable));
-            return product;
-        }
-        case Kind::power:
-            return power_of(jet(of.parts[0], constants, variable), jet(of.parts[1], constants, variable),
-                            !depends_on_variable(of.parts[1]));
-        case Kind::function: {
-            const Jet argument = jet(of.parts[0], constants, variable);
-            const auto [value, slope] = value_and_slope(of.function, argument[0]);
-            return composed(value, slope, second_slope(of.function, argument[0]), argument);
-        }
-    }
-    return {};
+    const auto known = [](double value) -> Jet { return {value, 0, 0}; };
+    return value_of<Jet>(of, {constants, {variable, 1, 0}, known(std::numbers::pi), known});
 }
 
 }  // namespace kinegraph

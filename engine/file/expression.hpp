@@ -1,12 +1,7 @@
 // Expressions of a law of motion, such as "v0*cos(alpha)*t", as a tree. Owns parsing with units, dimension checks,
 // evaluation with an error bound, and forward-mode automatic differentiation (used by the check only). For exact
-// symbolic derivatives see engine/file/algebra.hpp. Independent of JSON and of motion.
-//
-//   sum      = product { ("+" | "-") product }
-//   product  = factor { ("*" | "/") factor }
-//   factor   = ("+" | "-") factor | power
-//   power    = operand [ "^" factor ]
-//   operand  = number [ unit ] | name | function "(" sum ")" | "(" sum ")"
+// symbolic derivatives see engine/file/algebra.hpp. The grammar: engine/file/formula_syntax.hpp. Independent of JSON
+// and of motion.
 #pragma once
 
 #include <array>

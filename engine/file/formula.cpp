@@ -50,41 +50,37 @@ Exact rounded_to_size(const Exact& value, int bits) {
 
 // ----- dimensions
 
+struct DimensionOfKind {
+    QuantityKind kind;
+    Dimension dimension;
+    bool is_named = true;  ///< messages name the kind, not its unit
+};
+constexpr std::array<DimensionOfKind, 17> dimensions_of_kinds{{
+    {QuantityKind::dimensionless, {}},
+    {QuantityKind::length, {.length = 1}},
+    {QuantityKind::angle, {.angle = 1}},
+    {QuantityKind::angular_velocity, {.time = -1, .angle = 1}},
+    {QuantityKind::angular_acceleration, {.time = -2, .angle = 1}},
+    {QuantityKind::velocity, {.length = 1, .time = -1}},
+    {QuantityKind::acceleration, {.length = 1, .time = -2}},
+    {QuantityKind::mass, {.mass = 1}},
+    {QuantityKind::force, {.length = 1, .mass = 1, .time = -2}},
+    {QuantityKind::moment, {.length = 2, .mass = 1, .time = -2}},
+    {QuantityKind::inertia, {.length = 2, .mass = 1}},
+    {QuantityKind::pressure, {.length = -1, .mass = 1, .time = -2}, false},
+    {QuantityKind::time, {.time = 1}, false},
+    {QuantityKind::area, {.length = 2}, false},
+    {QuantityKind::force_per_length, {.mass = 1, .time = -2}, false},
+    {QuantityKind::torsional_stiffness, {.length = 2, .mass = 1, .time = -2, .angle = -1}, false},
+    {QuantityKind::power, {.length = 2, .mass = 1, .time = -3}},
+    {QuantityKind::wear, {.length = 1, .mass = -1, .time = 2}, false},
+}};
 Dimension dimension_of(QuantityKind kind) {
-    switch (kind) {
-        case QuantityKind::dimensionless: return {};
-        case QuantityKind::length: return {.length = 1};
-        case QuantityKind::angle: return {.angle = 1};
-        case QuantityKind::angular_velocity: return {.time = -1, .angle = 1};
-        case QuantityKind::angular_acceleration: return {.time = -2, .angle = 1};
-        case QuantityKind::velocity: return {.length = 1, .time = -1};
-        case QuantityKind::acceleration: return {.length = 1, .time = -2};
-        case QuantityKind::mass: return {.mass = 1};
-        case QuantityKind::force: return {.length = 1, .mass = 1, .time = -2};
-        case QuantityKind::moment: return {.length = 2, .mass = 1, .time = -2};
-        case QuantityKind::inertia: return {.length = 2, .mass = 1};
-        case QuantityKind::pressure: return {.length = -1, .mass = 1, .time = -2};
-        case QuantityKind::time: return {.time = 1};
-        case QuantityKind::area: return {.length = 2};
-        case QuantityKind::force_per_length: return {.mass = 1, .time = -2};
-        case QuantityKind::torsional_stiffness: return {.length = 2, .mass = 1, .time = -2, .angle = -1};
-        case QuantityKind::power: return {.length = 2, .mass = 1, .time = -3};
-        case QuantityKind::wear: return {.length = 1, .mass = -1, .time = 2};
-    }
-    KG_ASSERT(false, "every kind has a dimension");
+    const auto* const row = std::find_if(dimensions_of_kinds.begin(), dimensions_of_kinds.end(),
+                                         [&](const DimensionOfKind& each) { return each.kind == kind; });
+    KG_ASSERT(row != dimensions_of_kinds.end(), "every kind has a dimension");
+    return row->dimension;
 }
-
-constexpr std::array all_kinds{QuantityKind::length,
-                               QuantityKind::angle,
-                               QuantityKind::angular_velocity,
-                               QuantityKind::angular_acceleration,
-                               QuantityKind::velocity,
-                               QuantityKind::acceleration,
-                               QuantityKind::mass,
-                               QuantityKind::force,
-                               QuantityKind::moment,
-                               QuantityKind::inertia,
-                               QuantityKind::power};
 
 bool same_but_for_angle(const Dimension& a, const Dimension& b) {
     return a.length == b.length && a.mass == b.mass && a.time == b.time;
@@ -111,13 +107,6 @@ std::string base_units(const Dimension& dimension) {
 void scale(Measured& of, const Exact& factor) {
     of.value *= factor;
     of.error *= abs(factor);
-}
-
-/// The same quantity as a number: degrees converted to radians.
-Measured in_radians(Measured of) {
-    scale(of, exact_power(degree(), of.dimension.angle));
-    of.dimension.angle = 0;
-    return of;
 }
 
 /// The value of a result.
@@ -362,8 +351,7 @@ private:
     Evaluated multiplied(Measured a, const Measured& b) const {
         if (a.is_approximate || b.is_approximate) a.error = abs(a.value) * b.error + (abs(b.value) + b.error) * a.error;
         a.value *= b.value;
-        a.dimension = {a.dimension.length + b.dimension.length, a.dimension.mass + b.dimension.mass,
-                       a.dimension.time + b.dimension.time, a.dimension.angle + b.dimension.angle};
+        a.dimension = a.dimension * b.dimension;
         join(a, b);
         return within_reason(std::move(a));
     }
@@ -372,8 +360,7 @@ private:
         auto [value, error] = quotient({a.value, a.error}, {b.value, b.error});
         a.value = std::move(value);
         a.error = std::move(error);
-        a.dimension = {a.dimension.length - b.dimension.length, a.dimension.mass - b.dimension.mass,
-                       a.dimension.time - b.dimension.time, a.dimension.angle - b.dimension.angle};
+        a.dimension = a.dimension / b.dimension;
         join(a, b);
         return within_reason(std::move(a));
     }
@@ -412,10 +399,9 @@ private:
         if (of.value.sign() < 0) return refused({lang::expressions::the_root_of_a_negative_value});
         const int n = static_cast<int>(order);
         if (of.dimension.angle % n != 0) of = in_radians(std::move(of));
-        Dimension& d = of.dimension;
-        if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
-            return refused({lang::expressions::no_quantity_is_the_root, described(of)});
-        d = {d.length / n, d.mass / n, d.time / n, d.angle / n};
+        const auto dimension = power_of(of.dimension, 1, n);
+        if (!dimension) return refused({lang::expressions::no_quantity_is_the_root, described(of)});
+        of.dimension = *dimension;
         // The relative error of a root is at most that of its radicand.
         auto [value, error] = root_of(of.value, order);
         of.is_approximate = of.is_approximate || !error.is_zero();
@@ -485,6 +471,16 @@ private:
 
 }  // namespace
 
+std::optional<Dimension> power_of(const Dimension& dimension, long top, long below) {
+    Dimension power;
+    for (int Dimension::*const each : {&Dimension::length, &Dimension::mass, &Dimension::time, &Dimension::angle}) {
+        const long exponent = dimension.*each * top;
+        if (exponent % below != 0) return std::nullopt;
+        power.*each = static_cast<int>(exponent / below);
+    }
+    return power;
+}
+
 bool is_formula(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
     return first != std::string_view::npos && text[first] == '=';
@@ -515,6 +511,12 @@ Measured measured(const WrittenQuantity& written) {
     return {.value = std::move(value), .dimension = dimension};
 }
 
+Measured in_radians(Measured of) {
+    scale(of, exact_power(degree(), of.dimension.angle));
+    of.dimension.angle = 0;
+    return of;
+}
+
 Measured bare(Exact value) { return {.value = std::move(value), .dimension = {}, .is_bare = true}; }
 
 tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, QuantityKind kind, const KnownUnit& bare_unit) {
@@ -539,10 +541,8 @@ tl::expected<Exact, Words> as_number(const Measured& value) {
 }
 
 Words described(const Measured& value) {
-    if (value.dimension.is_a_number()) return with_article(QuantityKind::dimensionless);
-    const auto* const kind = std::find_if(all_kinds.begin(), all_kinds.end(),
-                                          [&](QuantityKind each) { return dimension_of(each) == value.dimension; });
-    if (kind != all_kinds.end()) return with_article(*kind);
+    for (const auto& [kind, dimension, is_named] : dimensions_of_kinds)
+        if (is_named && dimension == value.dimension) return with_article(kind);
     return {lang::expressions::a_quantity, base_units(value.dimension)};
 }
 

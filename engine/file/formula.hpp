@@ -27,7 +27,15 @@ struct Dimension {
     bool is_a_number() const { return length == 0 && mass == 0 && time == 0 && angle == 0; }
     // NOLINTNEXTLINE(modernize-use-nullptr): as in quantity.hpp
     friend bool operator==(const Dimension&, const Dimension&) = default;
+    friend Dimension operator*(const Dimension& a, const Dimension& b) {
+        return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
+    }
+    friend Dimension operator/(const Dimension& a, const Dimension& b) {
+        return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle};
+    }
 };
+/// The dimension to the power top/below; none: an exponent would not be whole.
+std::optional<Dimension> power_of(const Dimension& dimension, long top, long below);
 
 /// A value of a formula.
 struct Measured {
@@ -52,6 +60,8 @@ tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp&
 /// A number of a formula, with its unit. Error: it is no decimal.
 tl::expected<Measured, Words> measured(const Syntax& number);
 Measured measured(const WrittenQuantity& written);
+/// The same quantity as a number: degrees converted to radians.
+Measured in_radians(Measured of);
 /// A bare number.
 Measured bare(Exact value);
 
