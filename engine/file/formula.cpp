@@ -238,19 +238,18 @@ private:
             if (means_something(word)) return product_wanted(fault.parts[0].text, word);
             return unknown_unit_message(word, QuantityKind::dimensionless);
         }
-        if (fault.fault == Syntax::Fault::behind_value)
-            if (auto product = factor_without_sign(fault.text)) return *std::move(product);
-        return words_of(fault, SyntaxOf::formula);
+        return fault.fault == Syntax::Fault::behind_value ? factor_without_sign(fault.text)
+                                                          : words_of(fault, SyntaxOf::formula);
     }
     /// The message for a unit, a name or a bracket directly after a value: how to write the product.
-    std::optional<Words> factor_without_sign(std::string_view rest) const {
+    Words factor_without_sign(std::string_view rest) const {
         const std::string_view unit = rest.substr(0, unit_length(rest, {}));
         if (!unit.empty() && !means_something(unit))
-            return Words(lang::expressions::a_unit_stands_behind_a_number, std::string(unit));
+            return {lang::expressions::a_unit_stands_behind_a_number, std::string(unit)};
         const std::string_view word = rest.substr(0, word_length(rest));
         if (means_something(word)) return product_wanted("…", word);
         if (rest.starts_with('(')) return product_wanted("…", "(");
-        return std::nullopt;
+        return {lang::expressions::is_not_understood_here_brackets_numbers, quoted(rest)};
     }
     /// Whether a word is valid as a factor in a formula.
     bool means_something(std::string_view word) const {

@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-constexpr int deepest_nesting = 100;
+constexpr int deepest_syntax = 100;
 /// Of a formula, so that its tree is of some megabytes at most.
 constexpr std::size_t longest_text(SyntaxOf text) { return text == SyntaxOf::formula ? 100'000 : 1000; }
 
@@ -27,11 +27,6 @@ bool digit_at(std::string_view text, std::size_t at) { return at < text.size() &
 
 /// "°", "²", "·".
 bool is_sign(std::string_view text) { return !text.empty() && static_cast<unsigned char>(text.front()) >= 0x80; }
-bool begins_a_value(std::string_view text) {
-    return letter_at(text, 0) > 0 || digit_at(text, 0) || text.starts_with('(') || text.starts_with('\'') ||
-           is_sign(text);
-}
-
 class SyntaxReader {
     using Kind = Syntax::Kind;
     using Fault = Syntax::Fault;
@@ -44,7 +39,9 @@ public:
         Syntax tree = sum();
         skip();
         if (rest().empty()) return tree;
-        return fault(Fault::behind_value, std::move(tree));
+        const bool is_value = letter_at(rest(), 0) > 0 || digit_at(rest(), 0) || is_sign(rest()) ||
+                              rest().starts_with('(') || (grammar_.has_quoted_names && rest().starts_with('\''));
+        return fault(is_value ? Fault::behind_value : Fault::unexpected, std::move(tree));
     }
 
 private:
@@ -90,7 +87,7 @@ private:
         return parts.size() == 1 ? std::move(parts.front()) : node(kind, from, std::move(parts));
     }
     Syntax sum() {
-        if (++depth_ > deepest_nesting) return fault(Fault::nested_brackets);
+        if (++depth_ > deepest_syntax) return fault(Fault::nested_brackets);
         Syntax read = joined(Kind::sum, '+', '-', &SyntaxReader::product);
         --depth_;
         return read;
@@ -113,7 +110,7 @@ private:
         std::vector<Syntax> parts;
         parts.push_back(operand());
         if (!takes('^')) return std::move(parts.front());
-        parts.push_back(++depth_ > deepest_nesting ? fault(Fault::nested_powers) : factor());
+        parts.push_back(++depth_ > deepest_syntax ? fault(Fault::nested_powers) : factor());
         --depth_;
         return node(Kind::power, from, std::move(parts));
     }
@@ -192,32 +189,29 @@ const Syntax* first_fault(const Syntax& of) {
 
 Words words_of(const Syntax& fault, SyntaxOf text) {
     namespace say = lang::expressions;
-    using Fault = Syntax::Fault;
     const bool of_formula = text == SyntaxOf::formula;
     switch (fault.fault) {
-        case Fault::ends:
+        case Syntax::Fault::ends:
             return of_formula ? say::the_formula_ends_where_a_number : say::the_expression_ends_where_a_number;
-        case Fault::foreign_minus: return of_formula ? say::a_minus_is_written_in_a : say::a_minus_is_written;
-        case Fault::foreign_times:
-        case Fault::behind_number:
+        case Syntax::Fault::foreign_minus: return of_formula ? say::a_minus_is_written_in_a : say::a_minus_is_written;
+        case Syntax::Fault::foreign_times:
+        case Syntax::Fault::behind_number:
+        case Syntax::Fault::behind_value:
             return {of_formula ? say::a_product_is_written_in_a : say::a_product_is_written, quoted(fault.text)};
-        case Fault::bracket_open: return say::a_bracket_is_not_closed;
-        case Fault::bar_open: return say::a_bar_is_not_closed;
-        case Fault::quote_open: return say::a_quotation_mark_is_not_closed;
-        case Fault::nested_powers:
+        case Syntax::Fault::bracket_open: return say::a_bracket_is_not_closed;
+        case Syntax::Fault::bar_open: return say::a_bar_is_not_closed;
+        case Syntax::Fault::quote_open: return say::a_quotation_mark_is_not_closed;
+        case Syntax::Fault::nested_powers:
             if (of_formula) return say::too_many_powers_upon_each_other;
             [[fallthrough]];
-        case Fault::nested_brackets:
+        case Syntax::Fault::nested_brackets:
             return {of_formula ? say::a_formula_with_more_than_brackets : say::an_expression_with_more_than_brackets,
-                    std::to_string(deepest_nesting)};
-        case Fault::too_long:
+                    std::to_string(deepest_syntax)};
+        case Syntax::Fault::too_long:
             return {of_formula ? say::a_formula_of_more_than_characters : say::an_expression_of_more_than_characters,
                     std::to_string(longest_text(text))};
-        case Fault::behind_value:
-            if (begins_a_value(fault.text)) return {say::a_product_is_written, quoted(fault.text)};
-            break;
-        case Fault::unexpected:
-        case Fault::none: break;
+        case Syntax::Fault::unexpected:
+        case Syntax::Fault::none: break;
     }
     return {say::is_not_understood_here_brackets_numbers, quoted(fault.text)};
 }

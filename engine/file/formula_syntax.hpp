@@ -40,7 +40,7 @@ struct Syntax {
         foreign_times,    ///< "·" or "×"
         unexpected,       ///< something else
         behind_number,    ///< a name behind parts[0], a number without a unit
-        behind_value,     ///< something else behind a value
+        behind_value,     ///< a value behind another
         bracket_open,     ///< not closed
         bar_open,         ///< not closed
         quote_open,       ///< not closed
