@@ -42,26 +42,15 @@ std::optional<Exact> number_of(const Expression& of) {
 
 /// The highest power to which a number inside may be raised when an algebra system expands products.
 double degree_of(const Expression& of) {
-    double degree = 1;
-    switch (of.kind) {
-        case Kind::sum:
-            for (const Expression& part : of.parts) degree = std::max(degree, degree_of(part));
-            return degree;
-        case Kind::product:
-            degree = 0;
-            for (const Expression& part : of.parts) degree += degree_of(part);
-            return degree;
-        case Kind::power: {
-            const auto exponent = number_of(of.parts[1]);
-            return degree_of(of.parts[0]) * (exponent ? std::max(1.0, std::abs(exponent->to_double())) : 1.0);
-        }
-        case Kind::function: return degree_of(of.parts[0]);
-        case Kind::number:
-        case Kind::pi:
-        case Kind::constant:
-        case Kind::variable: break;
+    if (of.parts.empty()) return 1;
+    if (of.kind == Kind::power) {
+        const auto exponent = number_of(of.parts[1]);
+        return degree_of(of.parts[0]) * (exponent ? std::max(1.0, std::abs(exponent->to_double())) : 1.0);
     }
-    return 1;
+    double degree = 0;
+    for (const Expression& part : of.parts)
+        degree = of.kind == Kind::product ? degree + degree_of(part) : std::max(degree, degree_of(part));
+    return degree;
 }
 
 /// Upper bounds on the numbers of leaves of an expression and its derivatives.
@@ -338,30 +327,16 @@ std::optional<Elementary> elementary_called(std::string_view name) {
     if (found == names_of_functions.end() || function == Elementary::abs) return std::nullopt;
     return function;
 }
-Expression Expression::number(Exact value) {
-    Expression made;
-    made.value = std::move(value);
-    return made;
-}
+Expression Expression::number(Exact value) { return {.value = std::move(value)}; }
 Expression Expression::of(Kind kind, std::vector<Expression> parts) {
-    Expression made;
-    made.kind = kind;
-    made.parts = std::move(parts);
-    return made;
+    return {.kind = kind, .parts = std::move(parts)};
 }
 Expression Expression::of(Elementary function, Expression argument) {
-    Expression made;
-    made.kind = Kind::function;
-    made.function = function;
+    Expression made{.kind = Kind::function, .function = function};
     made.parts.push_back(std::move(argument));
     return made;
 }
-Expression Expression::named(std::size_t constant) {
-    Expression made;
-    made.kind = Kind::constant;
-    made.constant = constant;
-    return made;
-}
+Expression Expression::named(std::size_t constant) { return {.kind = Kind::constant, .constant = constant}; }
 bool depends_on_variable(const Expression& of) {
     return of.kind == Kind::variable || std::any_of(of.parts.begin(), of.parts.end(), depends_on_variable);
 }

@@ -2,6 +2,7 @@
 #include "engine/file/formula_syntax.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <string>
@@ -27,6 +28,7 @@ bool digit_at(std::string_view text, std::size_t at) { return at < text.size() &
 
 /// "°", "²", "·".
 bool is_sign(std::string_view text) { return !text.empty() && static_cast<unsigned char>(text.front()) >= 0x80; }
+
 class SyntaxReader {
     using Kind = Syntax::Kind;
     using Fault = Syntax::Fault;
@@ -54,9 +56,15 @@ private:
         ++at_;
         return true;
     }
-    Syntax node(Kind kind, std::size_t from, std::vector<Syntax> parts = {}) const {
-        const std::size_t end = text_.substr(0, at_).find_last_not_of(" \t") + 1;
-        return {.kind = kind, .at = from, .text = text_.substr(from, end - from), .parts = std::move(parts)};
+    /// What stands from there to here.
+    std::string_view since(std::size_t from) const {
+        return text_.substr(from, text_.substr(0, at_).find_last_not_of(" \t") + 1 - from);
+    }
+    template <class... Parts>
+    static Syntax node(Kind kind, std::size_t from, std::string_view text, Parts... parts) {
+        Syntax made{.kind = kind, .at = from, .text = text};
+        (made.parts.push_back(std::move(parts)), ...);
+        return made;
     }
     /// A fault here, behind what was read.
     template <class... Read>
@@ -66,8 +74,8 @@ private:
             if (rest().starts_with("−") || rest().starts_with("–")) which = Fault::foreign_minus;
             if (rest().starts_with("·") || rest().starts_with("×")) which = Fault::foreign_times;
         }
-        Syntax found{.kind = Kind::fault, .fault = which, .at = at_, .text = rest()};
-        (found.parts.push_back(std::move(read)), ...);
+        Syntax found = node(Kind::fault, at_, rest(), std::move(read)...);
+        found.fault = which;
         at_ = text_.size();
         return found;
     }
@@ -75,16 +83,16 @@ private:
     /// A sum or a product: operands joined by two signs.
     Syntax joined(Kind kind, char sign, char inverse, Syntax (SyntaxReader::*next)()) {
         skip();
-        const std::size_t from = at_;
-        std::vector<Syntax> parts;
-        parts.push_back((this->*next)());
+        Syntax all = node(kind, at_, {}, (this->*next)());
         for (;;) {
             const bool is_inverse = takes(inverse);
             if (!is_inverse && !takes(sign)) break;
-            parts.push_back((this->*next)());
-            parts.back().is_inverse = is_inverse;
+            all.parts.push_back((this->*next)());
+            all.parts.back().is_inverse = is_inverse;
         }
-        return parts.size() == 1 ? std::move(parts.front()) : node(kind, from, std::move(parts));
+        if (all.parts.size() == 1) return std::move(all.parts.front());
+        all.text = since(all.at);
+        return all;
     }
     Syntax sum() {
         if (++depth_ > deepest_syntax) return fault(Fault::nested_brackets);
@@ -99,20 +107,16 @@ private:
         bool negative = false;
         for (bool minus = false; (minus = takes('-')) || takes('+');) negative = negative != minus;
         Syntax read = power();
-        if (!negative) return read;
-        std::vector<Syntax> parts;
-        parts.push_back(std::move(read));
-        return node(Kind::negative, from, std::move(parts));
+        return negative ? node(Kind::negative, from, since(from), std::move(read)) : std::move(read);
     }
     Syntax power() {
         skip();
         const std::size_t from = at_;
-        std::vector<Syntax> parts;
-        parts.push_back(operand());
-        if (!takes('^')) return std::move(parts.front());
-        parts.push_back(++depth_ > deepest_syntax ? fault(Fault::nested_powers) : factor());
+        Syntax base = operand();
+        if (!takes('^')) return base;
+        Syntax exponent = ++depth_ > deepest_syntax ? fault(Fault::nested_powers) : factor();
         --depth_;
-        return node(Kind::power, from, std::move(parts));
+        return node(Kind::power, from, since(from), std::move(base), std::move(exponent));
     }
     Syntax operand() {
         if (takes('(')) {
@@ -127,26 +131,19 @@ private:
         return fault(Fault::unexpected);
     }
     Syntax bars() {
-        const std::size_t from = at_ - 1;
-        std::vector<Syntax> parts;
-        parts.push_back(sum());
-        if (!takes('|')) parts.push_back(fault(Fault::bar_open));
-        Syntax length = node(Kind::function, from, std::move(parts));
-        length.text = "abs";
+        Syntax length = node(Kind::function, at_ - 1, "abs");
+        length.parts.push_back(sum());
+        if (!takes('|')) length.parts.push_back(fault(Fault::bar_open));
         return length;
     }
     Syntax quoted_name() {
-        const std::size_t from = at_;
-        const std::size_t end = text_.find('\'', from);
+        const std::size_t from = at_, end = text_.find('\'', from);
         if (end == std::string_view::npos) return fault(Fault::quote_open);
-        at_ = end;
-        Syntax read = node(Kind::name, from);
-        ++at_;
-        return read;
+        at_ = end + 1;
+        return node(Kind::name, from, text_.substr(from, end - from));
     }
     Syntax name(std::size_t length) {
-        Syntax read = node(Kind::name, at_);
-        read.text = text_.substr(at_, length);
+        Syntax read = node(Kind::name, at_, rest().substr(0, length));
         at_ += length;
         if (!takes('(')) return read;
         read.kind = Kind::function;
@@ -156,9 +153,8 @@ private:
         return read;
     }
     Syntax number() {
-        const std::size_t from = at_;
-        at_ += number_length(rest());
-        Syntax read = node(Kind::number, from);
+        Syntax read = node(Kind::number, at_, rest().substr(0, number_length(rest())));
+        at_ += read.text.size();
         const std::size_t unit = std::min(text_.find_first_not_of(' ', at_), text_.size());
         if (const std::size_t length = unit_length(text_.substr(unit), grammar_); length > 0) {
             read.unit_text = text_.substr(unit, length);
@@ -188,32 +184,28 @@ const Syntax* first_fault(const Syntax& of) {
 }
 
 Words words_of(const Syntax& fault, SyntaxOf text) {
-    namespace say = lang::expressions;
-    const bool of_formula = text == SyntaxOf::formula;
-    switch (fault.fault) {
-        case Syntax::Fault::ends:
-            return of_formula ? say::the_formula_ends_where_a_number : say::the_expression_ends_where_a_number;
-        case Syntax::Fault::foreign_minus: return of_formula ? say::a_minus_is_written_in_a : say::a_minus_is_written;
-        case Syntax::Fault::foreign_times:
-        case Syntax::Fault::behind_number:
-        case Syntax::Fault::behind_value:
-            return {of_formula ? say::a_product_is_written_in_a : say::a_product_is_written, quoted(fault.text)};
-        case Syntax::Fault::bracket_open: return say::a_bracket_is_not_closed;
-        case Syntax::Fault::bar_open: return say::a_bar_is_not_closed;
-        case Syntax::Fault::quote_open: return say::a_quotation_mark_is_not_closed;
-        case Syntax::Fault::nested_powers:
-            if (of_formula) return say::too_many_powers_upon_each_other;
-            [[fallthrough]];
-        case Syntax::Fault::nested_brackets:
-            return {of_formula ? say::a_formula_with_more_than_brackets : say::an_expression_with_more_than_brackets,
-                    std::to_string(deepest_syntax)};
-        case Syntax::Fault::too_long:
-            return {of_formula ? say::a_formula_of_more_than_characters : say::an_expression_of_more_than_characters,
-                    std::to_string(longest_text(text))};
-        case Syntax::Fault::unexpected:
-        case Syntax::Fault::none: break;
-    }
-    return {say::is_not_understood_here_brackets_numbers, quoted(fault.text)};
+    using namespace lang::expressions;
+    // In the order of the faults; {0}: the limit, or the text from there on.
+    static constexpr std::array<std::array<Key, 2>, 13> messages{{
+        {is_not_understood_here_brackets_numbers, is_not_understood_here_brackets_numbers},
+        {the_formula_ends_where_a_number, the_expression_ends_where_a_number},
+        {a_minus_is_written_in_a, a_minus_is_written},
+        {a_product_is_written_in_a, a_product_is_written},
+        {is_not_understood_here_brackets_numbers, is_not_understood_here_brackets_numbers},
+        {a_product_is_written_in_a, a_product_is_written},
+        {a_product_is_written_in_a, a_product_is_written},
+        {a_bracket_is_not_closed, a_bracket_is_not_closed},
+        {a_bar_is_not_closed, a_bar_is_not_closed},
+        {a_quotation_mark_is_not_closed, a_quotation_mark_is_not_closed},
+        {a_formula_with_more_than_brackets, an_expression_with_more_than_brackets},
+        {too_many_powers_upon_each_other, an_expression_with_more_than_brackets},
+        {a_formula_of_more_than_characters, an_expression_of_more_than_characters},
+    }};
+    const bool nests = fault.fault == Syntax::Fault::nested_brackets || fault.fault == Syntax::Fault::nested_powers;
+    const std::string place = nests                                    ? std::to_string(deepest_syntax)
+                              : fault.fault == Syntax::Fault::too_long ? std::to_string(longest_text(text))
+                                                                       : quoted(fault.text);
+    return {messages.at(static_cast<std::size_t>(fault.fault)).at(static_cast<std::size_t>(text)), place};
 }
 
 std::size_t word_length(std::string_view text) {
