@@ -55,7 +55,7 @@ struct DimensionOfKind {
     Dimension dimension;
     bool is_named = true;  ///< messages name the kind, not its unit
 };
-constexpr std::array<DimensionOfKind, 17> dimensions_of_kinds{{
+constexpr auto dimensions_of_kinds = std::to_array<DimensionOfKind>({
     {QuantityKind::dimensionless, {}},
     {QuantityKind::length, {.length = 1}},
     {QuantityKind::angle, {.angle = 1}},
@@ -74,7 +74,7 @@ constexpr std::array<DimensionOfKind, 17> dimensions_of_kinds{{
     {QuantityKind::torsional_stiffness, {.length = 2, .mass = 1, .time = -2, .angle = -1}, false},
     {QuantityKind::power, {.length = 2, .mass = 1, .time = -3}},
     {QuantityKind::wear, {.length = 1, .mass = -1, .time = 2}, false},
-}};
+});
 Dimension dimension_of(QuantityKind kind) {
     const auto* const row = std::find_if(dimensions_of_kinds.begin(), dimensions_of_kinds.end(),
                                          [&](const DimensionOfKind& each) { return each.kind == kind; });
