@@ -372,6 +372,12 @@ void add_plots(CLI::App& command, SweepRequest& request) {
         ->allow_extra_args(false)
         ->type_name("QUANTITIES");
     command
+        .add_option(
+            "--columns", request.options.columns,
+            "Which columns the rows have beside the driver's: names of results and expressions of them, such as "
+            "\"omega 4 / omega 2, |v B|\"")
+        ->type_name("QUANTITIES");
+    command
         .add_option("--trace", request.options.traces,
                     "The path of a point, \"P\", or as a body sees it, \"P,on BODY\"; may be given again")
         ->allow_extra_args(false)

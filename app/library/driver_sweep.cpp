@@ -48,7 +48,14 @@ public:
         auto traces = app::traces_of(options_.traces, mechanism, options_.dashes);
         if (!traces) return wrong(traces.error());
         traces_ = *std::move(traces);
-        auto columns = app::plots_of(options_.plots, table.columns, options_.dashes);
+        const std::size_t own = table.columns.size();
+        const auto add = [this](const ResultExpression& expression) {
+            table.columns.push_back(expression.column());
+            return cycle_->add(expression);
+        };
+        if (const auto chosen = choose_shown(options_.columns, own, add, options_.dashes); !chosen)
+            return wrong(chosen.error());
+        auto columns = app::plots_of(options_.plots, table.columns, add, options_.dashes);
         if (!columns) return wrong(columns.error());
         plots = *std::move(columns);
         table.followed = cycle_->follow(*travel, efforts());

@@ -81,11 +81,7 @@ class ParameterSweep final : public Sweep::State {
 public:
     ParameterSweep(const MechanismFile::State& file, const SweepOptions& options, Variation values,
                    std::optional<double> drawn)
-        : State(file.mechanism),
-          file_{file.text, file.name, file.set},
-          wanted_plots_(options.plots),
-          dashes_(options.dashes),
-          values_(std::move(values)) {
+        : State(file.mechanism), file_{file.text, file.name, file.set}, options_(options), values_(std::move(values)) {
         table.driver = values_.parameter;
         table.turns = false;
         table.travel.from = si(0);
@@ -96,9 +92,7 @@ public:
     Expected<void> each_row(const See& see, const Progress& progress) override {
         if (!has_rows) solve_all(progress);
         if (table.rows.empty()) return tl::unexpected(diagnostics_of(fault_));
-        auto columns = app::plots_of(wanted_plots_, table.columns, dashes_);
-        if (!columns) return refused(Diagnostic::Kind::bad_input, columns.error());
-        plots = *std::move(columns);
+        if (wrong_columns_) return refused(Diagnostic::Kind::bad_input, *wrong_columns_);
         const std::vector<bool> none_empty(table.columns.size());
         for (const auto& row : table.rows)
             if (!see(row, none_empty)) break;
@@ -236,7 +230,7 @@ private:
         std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
         if (table.columns.empty()) choose_columns(results);
         std::vector<double> row{si_of(*read_measured(value, {}))};
-        for (std::size_t i = 1; i < table.columns.size(); ++i) {
+        for (std::size_t i = 1; i < table.columns.size() - expressions_.size(); ++i) {
             const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& each) {
                 return each.column.name == table.columns[i].name;
             });
@@ -247,11 +241,36 @@ private:
         }
         last_ = row;
         hold_against_check(*solution, row);
+        for (const ResultExpression& expression : expressions_) {
+            std::vector<ValueWithin> parts;
+            for (const Column& part : expression.parts()) parts.push_back({row[index_of(part)], 0});
+            const auto found = expression.value(parts);
+            if (!found) return std::nullopt;
+            row.push_back(found->value);
+        }
         return row;
     }
     void choose_columns(const std::vector<NamedResult>& results) {
         table.columns.push_back({Column::Kind::named, {}, table.driver, QuantityKind::dimensionless});
         for (const NamedResult& each : results) table.columns.push_back(each.column);
+        const std::size_t own = table.columns.size();
+        const auto add = [this](const ResultExpression& expression) {
+            expressions_.push_back(expression);
+            table.columns.push_back(expression.column());
+            return table.columns.size() - 1;
+        };
+        if (const auto chosen = choose_shown(options_.columns, own, add, options_.dashes); !chosen)
+            wrong_columns_ = chosen.error();
+        auto columns = app::plots_of(options_.plots, table.columns, add, options_.dashes);
+        if (columns)
+            plots = *std::move(columns);
+        else if (!wrong_columns_)
+            wrong_columns_ = columns.error();
+    }
+    std::size_t index_of(const Column& column) const {
+        const auto is_it = [&](const Column& other) { return other.name == column.name; };
+        return static_cast<std::size_t>(std::find_if(table.columns.begin(), table.columns.end(), is_it) -
+                                        table.columns.begin());
     }
     /// The same angle, within half a turn of the one before.
     static double beside(double angle, double before) {
@@ -260,8 +279,9 @@ private:
     }
 
     SourceFile file_;
-    std::vector<std::string> wanted_plots_;
-    std::string dashes_;
+    SweepOptions options_;
+    std::vector<ResultExpression> expressions_;  ///< their columns come last
+    std::optional<Words> wrong_columns_;
     Variation values_;
     LargestDifference difference_;
     double size_ = 0;  ///< of the largest drawing, m

@@ -1,4 +1,5 @@
 // Sweep: the public interface of both kinds of sweeps, their texts and drawings.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -24,7 +25,40 @@ std::string difference_json(const Sweep::State& sweep) {
            ", \"share\": " + app::decimal_of(off.share) + "}";
 }
 
+/// Gives on the shown cells of rows.
+Sweep::State::See of_shown_columns(const Sweep::State& sweep, const Sweep::State::See& see) {
+    return [&sweep, see](std::span<const double> row, const std::vector<bool>& empty) {
+        std::vector<double> cells;
+        std::vector<bool> empty_cells;
+        for (const std::size_t i : sweep.shown) {
+            cells.push_back(row[i]);
+            empty_cells.push_back(empty[i]);
+        }
+        return see(cells, empty_cells);
+    };
+}
+std::vector<Column> shown_columns(const Sweep::State& sweep) {
+    std::vector<Column> columns;
+    for (const std::size_t i : sweep.shown) columns.push_back(sweep.table.columns[i]);
+    return columns;
+}
+
 }  // namespace
+
+tl::expected<void, Words> Sweep::State::choose_shown(const std::string& names, std::size_t own,
+                                                     const app::AddColumn& add, const std::string& dashes) {
+    shown.clear();
+    if (names.empty()) {
+        for (std::size_t i = 0; i < own; ++i) shown.push_back(i);
+        return {};
+    }
+    for (std::size_t i = 0; i <= table.over(); ++i) shown.push_back(i);
+    const auto chosen = app::columns_named(names, table.columns, add, dashes + "columns");
+    if (!chosen) return tl::unexpected(chosen.error());
+    for (const std::size_t i : *chosen)
+        if (std::find(shown.begin(), shown.end(), i) == shown.end()) shown.push_back(i);
+    return {};
+}
 
 Sweep::Sweep(State* state) : state_(state) {}
 Sweep::Sweep(Sweep&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
@@ -45,8 +79,9 @@ Expected<Sweep> Sweep::of(const MechanismFile& file, const SweepOptions& options
 
 std::vector<SweepColumn> Sweep::columns() const {
     std::vector<SweepColumn> all;
-    for (const Column& each : state_->table.columns)
-        all.push_back({each.name, each.unit == QuantityKind::dimensionless
+    for (const Column& each : shown_columns(*state_))
+        all.push_back({each.name, !each.si_unit.empty() ? each.si_unit
+                                  : each.unit == QuantityKind::dimensionless
                                       ? std::string()
                                       : std::string(default_unit(each.unit).symbol)});
     return all;
@@ -79,7 +114,7 @@ Expected<void> Sweep::for_each_row(const std::function<bool(const SweepRow& row)
             if (empty[i]) given[i].reset();
         return see(given);
     };
-    return state_->each_row(give, progress);
+    return state_->each_row(of_shown_columns(*state_, give), progress);
 }
 
 Expected<void> Sweep::write(const std::vector<RowsText>& texts,
@@ -88,7 +123,7 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
     // Not before the first row: a parameter's sweep finds its columns by then.
     const auto begin = [&] {
         for (const RowsText& each : texts)
-            written.emplace_back(each).head(state_->table.columns, state_->json_before());
+            written.emplace_back(each).head(shown_columns(*state_), state_->json_before());
     };
     bool goes_on = true;
     const auto see = [&](std::span<const double> row, const std::vector<bool>& empty) {
@@ -96,7 +131,8 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
         for (app::RowText& text : written) goes_on = text.row(row, empty) && goes_on;
         return goes_on;
     };
-    if (auto computed = state_->each_row(see, progress); !computed || !goes_on) return computed;
+    if (auto computed = state_->each_row(of_shown_columns(*state_, see), progress); !computed || !goes_on)
+        return computed;
     if (written.empty()) begin();
     for (app::RowText& text : written) text.tail(difference_json(*state_) + state_->json_after());
     return {};

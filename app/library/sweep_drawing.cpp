@@ -10,11 +10,13 @@
 namespace kinegraph::app {
 namespace {
 
-/// "a, b" → "a" and "b".
+/// "a, b" → "a" and "b"; a comma within brackets parts the arguments of a function.
 std::vector<std::string> parted(const std::string& text) {
     std::vector<std::string> parts(1);
+    int depth = 0;
     for (const char c : text) {
-        if (c == ',')
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth <= 0)
             parts.emplace_back();
         else if (c != ' ' || !parts.back().empty())
             parts.back() += c;
@@ -48,32 +50,57 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
 
 }  // namespace
 
+tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& names,
+                                                            const std::vector<Column>& columns, const AddColumn& add,
+                                                            const std::string& option) {
+    std::vector<std::size_t> found;
+    for (const std::string& text : parted(names)) {
+        const auto has_name = [&](const Column& each) {
+            return each.name == text || each.name == named_expression(text).name;
+        };
+        const auto column = std::find_if(columns.begin(), columns.end(), has_name);
+        if (column != columns.end() && named_expression(text).name == named_expression(text).text) {
+            found.push_back(static_cast<std::size_t>(column - columns.begin()));
+            continue;
+        }
+        const auto expression = ResultExpression::read(text, columns);
+        if (expression) {
+            found.push_back(add(*expression));
+            continue;
+        }
+        if (text.find_first_of("+-*/^()|\'=") != std::string::npos)
+            return tl::unexpected(Words(lang::sweeps::option_says, option, quoted(text), expression.error()));
+        std::vector<std::string_view> known;
+        std::string list;
+        for (const Column& each : columns) {
+            known.emplace_back(each.name);
+            list += (list.empty() ? "" : ", ") + each.name;
+        }
+        Speller speller;
+        return tl::unexpected(Words(lang::sweeps::there_is_no_quantity, quoted(text),
+                                    did_you_mean(speller.nearest(text, known)), option, list));
+    }
+    return found;
+}
+
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
                                                                     const std::vector<Column>& columns,
-                                                                    const std::string& dashes) {
+                                                                    const AddColumn& add, const std::string& dashes) {
     if (asked.empty()) return usual_plots(columns);
-    std::vector<std::string> names;
-    for (const Column& column : columns) names.push_back(column.name);
     std::vector<std::vector<std::size_t>> plots;
     for (const std::string& text : asked) {
-        std::vector<std::size_t>& plot = plots.emplace_back();
-        for (const std::string& name : parted(text)) {
-            const auto found = std::find(names.begin(), names.end(), name);
-            if (found == names.end()) {
-                std::string known;
-                for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
-                Speller speller;
-                return tl::unexpected(Words(lang::sweeps::plot_there_is_no_quantity_there, quoted(name),
-                                            did_you_mean(speller.nearest(name, names)), dashes, known));
-            }
-            plot.push_back(static_cast<std::size_t>(found - names.begin()));
-            if (columns[plot.back()].unit != columns[plot.front()].unit)
-                return tl::unexpected(
-                    Words(lang::sweeps::plot_quantities_of_different_units_need, quoted(text), dashes));
-        }
+        const auto plot = columns_named(text, columns, add, dashes + "plot");
+        if (!plot) return tl::unexpected(plot.error());
+        const auto is_of_other_unit = [&](std::size_t each) {
+            const Column &first = columns[plot->front()], &other = columns[each];
+            return other.unit != first.unit || other.si_unit != first.si_unit;
+        };
+        if (std::any_of(plot->begin(), plot->end(), is_of_other_unit))
+            return tl::unexpected(Words(lang::sweeps::plot_quantities_of_different_units_need, quoted(text), dashes));
         constexpr std::size_t most = 4;
-        if (plot.size() > most)
+        if (plot->size() > most)
             return tl::unexpected(Words(lang::sweeps::plot_at_most_four_quantities, quoted(text), dashes));
+        plots.push_back(*plot);
     }
     return plots;
 }

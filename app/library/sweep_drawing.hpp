@@ -1,22 +1,34 @@
 // The drawing of a sweep: the columns to plot, the paths and positions drawn with the mechanism.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "engine/motion/positions.hpp"
+#include "engine/results/result_expression.hpp"
 #include "render/figures/plot_figure.hpp"
 
 namespace kinegraph::app {
+
+/// Gives an expression of the columns a column; its index.
+using AddColumn = std::function<std::size_t(const ResultExpression& expression)>;
+
+/// The columns with these names, "v B,omega 4 / omega 2", in their order; an expression of columns that are there gets
+/// its own (engine/results/result_expression.hpp). `option`: its name in messages. Error, one line: no such column
+/// (with the nearest name), an expression that cannot be read.
+tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& names,
+                                                            const std::vector<Column>& columns, const AddColumn& add,
+                                                            const std::string& option);
 
 /// The columns of each plot: those requested or, by default, displacement, speed and acceleration of the slider (else
 /// of the last body that turns) and the input forces and couples. Error, one line: no such column (with the nearest
 /// name), too many, or several units in one plot.
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
                                                                     const std::vector<Column>& columns,
-                                                                    const std::string& dashes);
+                                                                    const AddColumn& add, const std::string& dashes);
 
 /// The path of a point.
 struct Trace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/library/state.hpp"
+#include "app/library/sweep_drawing.hpp"
 #include "constructions/verdicts/largest_difference.hpp"
 #include "engine/sentences/column.hpp"
 #include "kinegraph/motion.hpp"
@@ -38,8 +39,13 @@ struct Sweep::State {
     virtual LargestDifference::Found difference() const = 0;
     virtual Words coordinate_text(double coordinate) const = 0;
 
+    /// Which columns the rows show: the driver's coordinate (and time) with those of `--columns`, or the first `own`.
+    tl::expected<void, Words> choose_shown(const std::string& names, std::size_t own, const app::AddColumn& add,
+                                           const std::string& dashes);
+
     Mechanism mechanism;
     CycleTable table;
+    std::vector<std::size_t> shown;               ///< columns of the rows
     std::vector<std::vector<std::size_t>> plots;  ///< columns of each
     std::vector<Words> remarks;
     std::vector<Unsolved> unsolved;

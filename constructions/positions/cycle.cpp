@@ -17,6 +17,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
 
@@ -109,7 +110,8 @@ public:
             empty_[i] = followed_.columns[i].is_pole(at, travelled_);
         if (std::find(empty_.begin(), empty_.end(), true) != empty_.end()) return row_on_pole(at);
         if (!find_values(at)) return std::nullopt;
-        noise_ = levels_.of_row(columns_, values_);
+        for (const Derived& each : derived_) empty_[each.column] = !each.is_determined;
+        noise_ = noise_here();
         if (is_checked_) {
             clock_.put_rates(check_.mechanism());
             check_.compare({columns_, values_, noise_, places_, positions_, has_forces_ || !efforts_.empty()});
@@ -145,6 +147,18 @@ public:
         records_ = std::move(kept);
         planned_ = planned;
         return followed_;
+    }
+    std::size_t add(const ResultExpression& expression) {
+        Derived derived{expression, columns_.size(), {}};
+        for (const Column& part : expression.parts())
+            for (std::size_t i = 0; i < columns_.size(); ++i)
+                if (columns_[i].name == part.name) derived.parts.push_back(i);
+        KG_ASSERT(derived.parts.size() == expression.parts().size(), "an expression is of the columns");
+        columns_.push_back(expression.column());
+        values_.resize(columns_.size());
+        empty_.resize(columns_.size());
+        derived_.push_back(std::move(derived));
+        return columns_.size() - 1;
     }
     const FollowedCycle& followed() const { return followed_; }
     const std::vector<bool>& empty_cells() const { return empty_; }
@@ -196,7 +210,27 @@ private:
             if (!fill_from(solution)) return false;
             efforts_.take(solution);
         }
-        return efforts_.fill(values_);
+        if (!efforts_.fill(values_, derived_.size())) return false;
+        fill_derived();
+        return true;
+    }
+    /// The values of the expressions, from those of the other columns.
+    void fill_derived() {
+        if (derived_.empty()) return;
+        const std::vector<double> noise = levels_.of_row(columns_, values_);
+        for (Derived& each : derived_) {
+            std::vector<ValueWithin> parts;
+            for (const std::size_t i : each.parts) parts.push_back({values_[i], noise[i]});
+            const auto value = each.expression.value(parts);
+            each.noise = value ? value->error : 0;
+            each.is_determined = value.has_value();
+            values_[each.column] = value ? value->value : 0;
+        }
+    }
+    std::vector<double> noise_here() const {
+        std::vector<double> noise = levels_.of_row(columns_, values_);
+        for (const Derived& each : derived_) noise[each.column] = each.noise;
+        return noise;
     }
     /// What is noise of the arithmetic is zero.
     void silence() {
@@ -218,7 +252,14 @@ private:
         fill_from(planned_here());  // what is found without forces is exact here
         for (std::size_t i = 0; i < row.size(); ++i)
             if (empty_[i] || is_of_forces(columns_[i])) values_[i] = empty_[i] ? 0 : row[i];
-        noise_ = levels_.of_row(columns_, values_);
+        fill_derived();
+        for (const Derived& each : derived_) {
+            const auto is_empty = [&](std::size_t part) { return empty_[part]; };
+            if (!each.is_determined || std::any_of(each.parts.begin(), each.parts.end(), is_empty))
+                empty_[each.column] = true;
+            if (empty_[each.column]) values_[each.column] = 0;
+        }
+        noise_ = noise_here();
         silence();
         return values_;
     }
@@ -227,8 +268,10 @@ private:
     /// The watched columns, and after them the forces with which contacts push.
     std::optional<FollowedCurve::Values> values_at(double at, const std::vector<std::size_t>& watched) {
         if (!find_values(at)) return std::nullopt;
+        const auto has_value = [](const Derived& each) { return each.is_determined; };
+        if (!std::all_of(derived_.begin(), derived_.end(), has_value)) return std::nullopt;
         constexpr double grains = 0x1p7;  // in noise: near a limit velocities have lost some digits
-        noise_ = levels_.of_row(columns_, values_);
+        noise_ = noise_here();
         const double noise_of_forces = levels_.of_forces(columns_, values_);
         silence();
         FollowedCurve::Values found;
@@ -255,7 +298,8 @@ private:
         std::vector<std::size_t> watched;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const bool is_result = columns_[i].kind == Column::Kind::result || columns_[i].kind == Column::Kind::along;
-            if ((is_result && (is_of_forces(columns_[i]) || ends)) ||
+            // An expression may divide by what vanishes.
+            if (columns_[i].kind == Column::Kind::named || (is_result && (is_of_forces(columns_[i]) || ends)) ||
                 std::find(whole.begin(), whole.end(), i) != whole.end())
                 watched.push_back(i);
         }
@@ -309,7 +353,7 @@ private:
     /// `found(i)` is the vector or scalar for column i. False if one is missing or not finite.
     template <class Found>
     bool fill_each(Found found) {
-        for (std::size_t i = 0; i < columns_.size() - efforts_.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size() - efforts_.size() - derived_.size(); ++i) {
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
             if (!place && !result) return false;
@@ -357,6 +401,14 @@ private:
     FollowedCycle followed_;
     double travelled_ = 0;  ///< from end to end, when followed_ was found
     bool has_forces_ = false, is_checked_ = true;
+    struct Derived {
+        ResultExpression expression;
+        std::size_t column;
+        std::vector<std::size_t> parts;  ///< columns
+        double noise = 0;
+        bool is_determined = true;
+    };
+    std::vector<Derived> derived_;  ///< their columns come last
     KeptRecords records_;
     int planned_ = 0;
     RowCheck check_;
@@ -374,6 +426,7 @@ Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, const Cour
 
 const Positions& Cycle::positions() const { return rows_->positions(); }
 std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
+std::size_t Cycle::add(const ResultExpression& expression) { return rows_->add(expression); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
 std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }
 const FollowedCycle& Cycle::follow(const Travel& travel, const std::vector<std::size_t>& whole) {

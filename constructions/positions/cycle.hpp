@@ -41,6 +41,8 @@ std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanis
 std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Positions& positions, int driver,
                                             const Travel& travel);
 
+class ResultExpression;
+
 class Cycle {
 public:
     /// `mechanism` and `pose` must outlive the cycle. Rates are the file's at every position; those of the course's
@@ -57,6 +59,9 @@ public:
     /// results have no column. With `checked` false no row is compared with the check.
     std::vector<Unsolved> begin(const Travel& travel, bool checked = true);
     const std::vector<Column>& columns() const;
+    /// Adds a column for an expression of the columns (engine/results/result_expression.hpp); its index. Call it after
+    /// begin(), before follow().
+    std::size_t add(const ResultExpression& expression);
     /// The row of a position within the travel, one number for each column; none if the mechanism gives no unique
     /// answer. `at` is a coordinate of the driver, or a time if it has a law, as Travel::at gives it.
     std::optional<std::span<const double>> row(double at);

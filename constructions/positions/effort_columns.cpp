@@ -50,10 +50,10 @@ bool EffortColumns::replay(const Places& places, const Positions& positions, con
     return true;
 }
 
-bool EffortColumns::fill(std::vector<double>& row) const {
+bool EffortColumns::fill(std::vector<double>& row, std::size_t behind) const {
     for (std::size_t i = 0; i < by_work_.size(); ++i) {
         if (by_work_[i] >= here_.size() || !here_[by_work_[i]]) return false;
-        row[row.size() - by_work_.size() + i] = *here_[by_work_[i]];
+        row[row.size() - behind - by_work_.size() + i] = *here_[by_work_[i]];
     }
     return true;
 }

@@ -29,7 +29,7 @@ public:
     /// there.
     bool replay(const Places& places, const Positions& positions, const std::vector<double>& row);
     /// False if a value is not determined in this position.
-    bool fill(std::vector<double>& row) const;
+    bool fill(std::vector<double>& row, std::size_t behind) const;
 
 private:
     void find_columns_of_masses(const Solution& solution, const std::vector<Column>& all);

@@ -6,6 +6,7 @@
 
 #include "constructions/positions/cycle.hpp"
 #include "engine/file/spelling.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
@@ -197,6 +198,11 @@ std::optional<Exact> exact_value(const NamedResult& result, const Solution& solu
 
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
                      const std::string& where) {
+    for (const std::string& text :
+         solution.mechanism.exercise ? solution.mechanism.exercise->expressions : std::vector<std::string>())
+        if (named_expression(text).name == name && solution.unsolved.empty())
+            if (auto found = result_of_expression(text, results); !found)
+                return {ErrorCode::no_unique_answer, where, std::move(found.error())};
     if (!solution.unsolved.empty())
         return {ErrorCode::no_unique_answer, where, {lang::positions::is_not_found_in_this_position, quoted(name)}};
     Speller speller;
@@ -205,6 +211,27 @@ Error missing_result(const Solution& solution, const std::vector<NamedResult>& r
     return {ErrorCode::bad_input,
             where,
             {lang::positions::there_is_no_result_what, quoted(name), did_you_mean(speller.nearest(name, names))}};
+}
+
+namespace {
+
+std::vector<Column> columns_of(const std::vector<NamedResult>& results) {
+    std::vector<Column> columns;
+    for (const NamedResult& each : results)
+        if (each.unit.empty()) columns.push_back(each.column);
+    return columns;
+}
+
+}  // namespace
+
+tl::expected<NamedResult, Words> result_of_expression(std::string_view text, const std::vector<NamedResult>& results) {
+    const auto read = ResultExpression::read(text, columns_of(results));
+    if (!read) return tl::unexpected(read.error());
+    std::vector<ValueWithin> parts;
+    for (const Column& part : read->parts()) parts.push_back({result_named(results, part.name)->value, 0});
+    const auto value = read->value(parts);
+    if (!value) return tl::unexpected(Words(lang::positions::is_not_determined, quoted(text)));
+    return NamedResult{read->column(), value->value, read->column().si_unit};
 }
 
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
@@ -217,6 +244,11 @@ std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& s
                         });
     if (wanted)
         if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
+    std::vector<NamedResult> expressions;
+    for (const std::string& text : exercise.expressions)
+        if (result_named(results, text) == nullptr)
+            if (auto found = result_of_expression(text, results)) expressions.push_back(*std::move(found));
+    for (NamedResult& each : expressions) results.push_back(std::move(each));
     return results;
 }
 

@@ -75,33 +75,8 @@ constexpr auto dimensions_of_kinds = std::to_array<DimensionOfKind>({
     {QuantityKind::power, {.length = 2, .mass = 1, .time = -3}},
     {QuantityKind::wear, {.length = 1, .mass = -1, .time = 2}, false},
 });
-Dimension dimension_of(QuantityKind kind) {
-    const auto* const row = std::find_if(dimensions_of_kinds.begin(), dimensions_of_kinds.end(),
-                                         [&](const DimensionOfKind& each) { return each.kind == kind; });
-    KG_ASSERT(row != dimensions_of_kinds.end(), "every kind has a dimension");
-    return row->dimension;
-}
-
 bool same_but_for_angle(const Dimension& a, const Dimension& b) {
     return a.length == b.length && a.mass == b.mass && a.time == b.time;
-}
-
-/// "kg m²/s", for a quantity of no named kind.
-std::string base_units(const Dimension& dimension) {
-    std::string above, below;
-    const auto put = [&](std::string_view symbol, int exponent) {
-        if (exponent == 0) return;
-        std::string& side = exponent > 0 ? above : below;
-        if (!side.empty()) side += ' ';
-        side += symbol;
-        if (std::abs(exponent) > 1) side += '^' + std::to_string(std::abs(exponent));
-    };
-    put("kg", dimension.mass);
-    put("m", dimension.length);
-    put("rad", dimension.angle);
-    put("s", dimension.time);
-    if (above.empty()) above = "1";
-    return below.empty() ? above : above + '/' + below;
 }
 
 void scale(Measured& of, const Exact& factor) {
@@ -480,6 +455,49 @@ std::optional<Dimension> power_of(const Dimension& dimension, long top, long bel
     return power;
 }
 
+Dimension dimension_of(QuantityKind kind) {
+    const auto* const row = std::find_if(dimensions_of_kinds.begin(), dimensions_of_kinds.end(),
+                                         [&](const DimensionOfKind& each) { return each.kind == kind; });
+    KG_ASSERT(row != dimensions_of_kinds.end(), "every kind has a dimension");
+    return row->dimension;
+}
+
+std::optional<QuantityKind> kind_of(const Dimension& dimension) {
+    const auto with = [](const Dimension& wanted) {
+        return std::find_if(dimensions_of_kinds.begin(), dimensions_of_kinds.end(),
+                            [&](const DimensionOfKind& each) { return each.dimension == wanted; });
+    };
+    const auto* row = with(dimension);
+    Dimension without_angle = dimension;
+    without_angle.angle = 0;
+    if (row == dimensions_of_kinds.end() && !without_angle.is_a_number()) row = with(without_angle);
+    if (row == dimensions_of_kinds.end()) return std::nullopt;
+    return row->kind;
+}
+
+std::string base_units(const Dimension& dimension) {
+    std::string above, below;
+    const auto put = [&](std::string_view symbol, int exponent) {
+        if (exponent == 0) return;
+        std::string& side = exponent > 0 ? above : below;
+        if (!side.empty()) side += ' ';
+        side += symbol;
+        if (std::abs(exponent) > 1) side += '^' + std::to_string(std::abs(exponent));
+    };
+    put("kg", dimension.mass);
+    put("m", dimension.length);
+    put("rad", dimension.angle);
+    put("s", dimension.time);
+    if (above.empty()) above = "1";
+    return below.empty() ? above : above + '/' + below;
+}
+
+Words described(const Dimension& dimension) {
+    for (const DimensionOfKind& each : dimensions_of_kinds)
+        if (each.is_named && each.dimension == dimension) return with_article(each.kind);
+    return {lang::expressions::a_quantity, base_units(dimension)};
+}
+
 bool is_formula(std::string_view text) {
     const std::size_t first = text.find_first_not_of(' ');
     return first != std::string_view::npos && text[first] == '=';
@@ -539,11 +557,7 @@ tl::expected<Exact, Words> as_number(const Measured& value) {
     return refused({lang::expressions::the_formula_gives_a_bare_number, described(value)});
 }
 
-Words described(const Measured& value) {
-    for (const auto& [kind, dimension, is_named] : dimensions_of_kinds)
-        if (is_named && dimension == value.dimension) return with_article(kind);
-    return {lang::expressions::a_quantity, base_units(value.dimension)};
-}
+Words described(const Measured& value) { return described(value.dimension); }
 
 bool is_parameter_name(std::string_view name) {
     return !name.empty() && word_length(name) == name.size() && name != "pi" && !is_function(name);

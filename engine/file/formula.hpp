@@ -37,6 +37,16 @@ struct Dimension {
 /// The dimension to the power top/below; none: an exponent would not be whole.
 std::optional<Dimension> power_of(const Dimension& dimension, long top, long below);
 
+/// Of a quantity of a kind.
+Dimension dimension_of(QuantityKind kind);
+/// The kind of a dimension; where no kind has just this one, an angle counts as a number (ω² r is an acceleration).
+/// None: there is no such kind.
+std::optional<QuantityKind> kind_of(const Dimension& dimension);
+/// "kg m^2/s".
+std::string base_units(const Dimension& dimension);
+/// "a length", "a quantity in kg m^2/s".
+Words described(const Dimension& dimension);
+
 /// A value of a formula.
 struct Measured {
     Exact value;       ///< in m, kg, s and degrees, so that 60° and 120 rpm stay rational

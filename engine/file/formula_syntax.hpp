@@ -34,7 +34,7 @@ struct Syntax {
         fault      ///< the reading ended here, behind `parts`; `text` is the rest
     };
     enum class Fault : std::uint8_t {
-        none,
+        no_fault,
         ends,             ///< where an operand is wanted
         foreign_minus,    ///< "−"
         foreign_times,    ///< "·" or "×"
@@ -49,7 +49,7 @@ struct Syntax {
         too_long          ///< the whole text, of which nothing was read
     };
     Kind kind = Kind::fault;
-    Fault fault = Fault::none;
+    Fault fault = Fault::no_fault;
     bool is_inverse = false;     ///< part of a sum: it is subtracted; of a product: it divides
     std::size_t at = 0;          ///< where it begins, in bytes
     std::string_view text = {};  ///< of a sum, product, power or negative: all of it

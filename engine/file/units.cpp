@@ -320,6 +320,8 @@ const KnownUnit* unit_spelt(std::string_view text) {
 }
 
 const KnownUnit& default_unit(QuantityKind kind) {
+    static const KnownUnit bare{QuantityKind::dimensionless, "", 1};
+    if (kind == QuantityKind::dimensionless) return bare;
     const auto units = known_units();
     const auto found =
         std::find_if(units.begin(), units.end(), [&](const KnownUnit& unit) { return unit.kind == kind; });

@@ -16,7 +16,7 @@ namespace kinegraph {
 
 /// One of the wanted results.
 struct AskedResult {
-    std::string name;   ///< "v B", "omega 3", "effort M"
+    std::string name;   ///< "v B", "omega 3", "effort M"; of an expression its own name, or its text
     std::string where;  ///< JSON pointer
 };
 
@@ -65,6 +65,9 @@ struct Exercise {
     std::vector<AskedResult> ask;  ///< none twice
     std::vector<Variation> vary;   ///< no parameter twice
     std::vector<Condition> require;
+    /// Expressions of results in `ask` and `require`, as the file writes them (engine/results/result_expression.hpp).
+    /// Wanted results and conditions refer to them by their names.
+    std::vector<std::string> expressions;
     std::string comes_to{};  ///< the values of the file's formulas: two variants with the same values are one mechanism
 };
 

@@ -5,8 +5,10 @@
 
 #include "engine/mechanism/problem.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "lang/keys/exercises.hpp"
+#include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -44,6 +46,9 @@ std::optional<std::pair<Sign, std::size_t>> sign_in(std::string_view text, std::
     return std::nullopt;
 }
 
+/// Whether a text that is no name of a result is read as an expression of results.
+bool is_expression_text(std::string_view text) { return text.find_first_of("+-*/^()|\'=") != std::string_view::npos; }
+
 /// By the sign of left − right.
 bool holds_by(Condition::Relation relation, int order) {
     switch (relation) {
@@ -79,9 +84,23 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
 const Column* ExerciseReader::result_named(std::string_view name) const {
     static const Column transmission{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle};
     if (name == transmission.name) return &transmission;
-    const auto found =
-        std::find_if(results_.begin(), results_.end(), [&](const Column& each) { return each.name == name; });
-    return found == results_.end() ? nullptr : &*found;
+    for (const std::vector<Column>* columns : {&results_, &expressions_})
+        for (const Column& each : *columns)
+            if (each.name == name) return &each;
+    return nullptr;
+}
+
+tl::expected<Column, Words> ExerciseReader::add_expression(std::string_view text, Exercise& exercise) {
+    Column column{Column::Kind::named, {}, std::string(named_expression(text).name), QuantityKind::dimensionless};
+    if (knows_results_) {
+        const auto read = ResultExpression::read(text, results_);
+        if (!read) return tl::make_unexpected(read.error());
+        column = read->column();
+    }
+    if (std::find(exercise.expressions.begin(), exercise.expressions.end(), text) == exercise.expressions.end())
+        exercise.expressions.emplace_back(text);
+    expressions_.push_back(column);
+    return column;
 }
 
 // ----- ask
@@ -92,11 +111,15 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
     if (ask.size() == 0) fault(ask, {lang::exercises::nothing_is_asked_for_take_ask});
     for (const JsonValue value : ask) {
         if (!expect(value, Kind::string, {lang::exercises::the_name_of_a_result_such})) continue;
-        const std::string_view name = value.text();
+        std::string_view name = value.text();
+        const bool is_expression = result_named(name) == nullptr && is_expression_text(name);
+        if (is_expression) name = named_expression(name).name;
         if (std::any_of(exercise.ask.begin(), exercise.ask.end(),
                         [&](const AskedResult& each) { return each.name == name; }))
             fault(value, {lang::exercises::is_asked_for_twice_take, quoted(name)});
-        if (knows_results_ && result_named(name) == nullptr) {
+        if (is_expression) {
+            if (auto read = add_expression(value.text(), exercise); !read) fault(value, std::move(read.error()));
+        } else if (knows_results_ && result_named(name) == nullptr) {
             std::vector<std::string_view> names{transmission_angle_name};
             for (const Column& each : results_) names.emplace_back(each.name);
             fault(value, {lang::exercises::no_result_is_named_names, quoted(name),
@@ -251,7 +274,7 @@ void ExerciseReader::read_require(JsonValue require, const Mechanism& mechanism,
     if (!expect(require, Kind::array, wanted)) return;
     for (const JsonValue value : require) {
         if (!expect(value, Kind::string, {lang::exercises::a_condition_such_as_omega_3})) continue;
-        if (auto read = condition(value, mechanism)) exercise.require.push_back(*std::move(read));
+        if (auto read = condition(value, mechanism, exercise)) exercise.require.push_back(*std::move(read));
     }
 }
 
@@ -283,7 +306,7 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
     return std::nullopt;
 }
 
-std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechanism& mechanism) {
+std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechanism& mechanism, Exercise& exercise) {
     constexpr std::string_view between_word = " between ", and_word = " and ";
     const std::string_view text = trimmed(value.text());
     for (const std::string_view foreign : foreign_signs) {
@@ -325,7 +348,7 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     const std::array<Operand*, 3> operands{&read->left, &read->right, &read->upper};
     bool whole = true;
     for (std::size_t i = 0; i < wanted; ++i) {
-        auto side = operand(value, trimmed(sides.at(i)), is_problem);
+        auto side = operand(value, trimmed(sides.at(i)), is_problem, exercise);
         whole = whole && side.has_value();
         if (side) *operands.at(i) = *std::move(side);
     }
@@ -334,7 +357,8 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     return read;
 }
 
-std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view text, bool is_problem) {
+std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view text, bool is_problem,
+                                               Exercise& exercise) {
     Operand side;
     side.text = text;
     if (text.empty()) {
@@ -359,6 +383,18 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
     }
     // Already reported as the parameter's own fault; or undecidable, because the rest of the file is faulty.
     if (value.error().empty() || (!knows_results_ && !is_problem)) return std::nullopt;
+    if (is_expression_text(text)) {
+        const auto read = add_expression(text, exercise);
+        if (read) {
+            side.result = read->name;
+            return side;
+        }
+        const auto is_in_text = [&](const Column& each) { return text.find(each.name) != std::string_view::npos; };
+        if (std::any_of(results_.begin(), results_.end(), is_in_text)) {
+            fault(at, read.error());
+            return std::nullopt;
+        }
+    }
     if (is_problem) {  // its solution decides whether there is one
         side.result = name;
         side.absolute = absolute;
@@ -431,7 +467,9 @@ void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
         return;
     }
     const Column* column = result_named(result->result);
-    if (column == nullptr) return;  // a problem: its solution decides
+    if (column == nullptr || !knows_results_) return;  // a problem: its solution decides
+    if (!column->si_unit.empty())
+        return fault(at, {lang::expressions::cannot_be_compared, quoted(column->name), column->si_unit});
     for (const Operand* side : sides) {
         if (side->result.empty()) {
             const auto read = as_quantity(*side->measured, column->unit, bare_unit(column->unit));

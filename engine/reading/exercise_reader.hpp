@@ -1,6 +1,11 @@
 // The sections of an exercise: "ask", "vary", "require". Each fault is reported at its place.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
 #include "engine/mechanism/exercise.hpp"
 #include "engine/reading/law_reader.hpp"
 #include "engine/sentences/column.hpp"
@@ -27,9 +32,9 @@ private:
     std::optional<Measured> value_of_parameter(JsonValue value, const Measured* own);
 
     void read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise);
-    std::optional<Condition> condition(JsonValue value, const Mechanism& mechanism);
+    std::optional<Condition> condition(JsonValue value, const Mechanism& mechanism, Exercise& exercise);
     std::optional<Condition> phrase(JsonValue value, std::string_view text, const Mechanism& mechanism);
-    std::optional<Operand> operand(JsonValue at, std::string_view text, bool is_problem);
+    std::optional<Operand> operand(JsonValue at, std::string_view text, bool is_problem, Exercise& exercise);
     /// Checks that the sides of a condition are of the same kind. If the condition depends on parameters only, checks
     /// whether it is satisfied.
     void match_sides(JsonValue at, Condition& condition);
@@ -38,8 +43,11 @@ private:
     void hold_sides_together(JsonValue at, Condition& condition);
     std::optional<int> compared(JsonValue at, const Operand& left, const Operand& right);
     const Column* result_named(std::string_view name) const;
+    /// Adds an expression of results to the exercise; its column. Error: why it is none.
+    tl::expected<Column, Words> add_expression(std::string_view text, Exercise& exercise);
 
-    std::vector<Column> results_;  ///< of the mechanism
+    std::vector<Column> results_;      ///< of the mechanism
+    std::vector<Column> expressions_;  ///< of results, which the file has named so far
     bool knows_results_ = false;
     bool knows_uses_ = false;  ///< the uses of parameters are known: the rest was readable, with the file's own values
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/truss.hpp"
 
@@ -177,8 +178,11 @@ std::vector<Column> asked_columns(const Mechanism& mechanism) {
     for (const AskedResult& each : asked_of(mechanism)) {
         const auto found = std::find_if(possible.begin(), possible.end(),
                                         [&](const Column& other) { return other.name == each.name; });
-        columns.push_back(found != possible.end() ? *found
-                                                  : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
+        if (found != possible.end())
+            columns.push_back(*found);
+        else
+            columns.push_back({Column::Kind::named, {}, each.name, QuantityKind::angle});
+        if (const auto expression = expression_called(each.name, mechanism)) columns.back() = expression->column();
         if (const auto bar = bar_of(columns.back(), mechanism)) columns.back().quantity = *bar;
     }
     return columns;

@@ -10,6 +10,7 @@
 
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -18,6 +19,7 @@
 #include "render/content/exercise_phrases.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
+#include "render/figures/expression_symbol.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/scene/bars.hpp"
@@ -82,7 +84,8 @@ public:
 
     AskedText asked(const Column& column) && {
         AskedText text;
-        if (column.kind != Column::Kind::named) text.symbol = symbol_asked(column);
+        if (column.kind != Column::Kind::named || expression_called(column.name, mechanism_))
+            text.symbol = symbol_asked(column);
         if (column.name == transmission_angle_name) {
             text.symbol = one_piece("γ", Face::italic);
             text.symbol.back().sub = "min";
@@ -140,6 +143,8 @@ private:
         if (q.kind == Quantity::Kind::bar) return letter(Symbol::Letter::F, bar(q.body));
         const bool acts = q.kind == Quantity::Kind::force || q.kind == Quantity::Kind::couple;
         if (acts && q.component == Quantity::Component::whole) return scalar(symbol_of_action(q, mechanism_));
+        if (const auto expression = expression_called(column.name, mechanism_))
+            return symbol_of(*expression, mechanism_, language());
         return typeset(column, mechanism_, language());
     }
 
@@ -166,6 +171,8 @@ private:
             case Column::Kind::slid:
             case Column::Kind::named: break;
         }
+        if (const auto expression = expression_called(column.name, mechanism_))
+            return say(lang::sheet::asked_by_name, {symbol, equation_of(*expression, mechanism_, language())});
         if (column.name != transmission_angle_name)
             return say(lang::sheet::asked_by_name, {symbol, plain_words(column.name)});
         if (q.joint == none) return say(lang::sheet::asked_transmission, {symbol});
@@ -305,7 +312,10 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
     const std::vector<Column> columns = asked_columns(mechanism);
     if (columns.empty() || figure.kind == "mechanism" || figure.kind == "truss") return true;
     const bool inertia = mechanism.inertia_forces && !mechanism.masses.empty();
-    const auto needs = [&](const Column& column) {
+    const auto needs = [&](const auto& self, const Column& column) -> bool {
+        if (const auto expression = expression_called(column.name, mechanism))
+            return std::any_of(expression->parts().begin(), expression->parts().end(),
+                               [&](const Column& part) { return self(self, part); });
         const ResultKind& kind = result_kind(column.quantity);
         const bool is_result = column.kind == Column::Kind::result || column.kind == Column::Kind::along;
         const bool forces = is_result && kind.is_of_forces();
@@ -315,7 +325,7 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
         if (figure.kind == "acceleration") return accelerations || (forces && inertia);
         return (figure.kind == "forces" || figure.kind == "closure" || figure.kind == "displacements") && forces;
     };
-    return std::any_of(columns.begin(), columns.end(), needs);
+    return std::any_of(columns.begin(), columns.end(), [&](const Column& column) { return needs(needs, column); });
 }
 
 namespace {

@@ -51,7 +51,7 @@ public:
           over_(table.over()),
           x_unit_(table.parameter ? table.parameter->unit
                                   : unit_of(table.columns[over_].unit, context.solution.mechanism)),
-          y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
+          y_unit_(unit_of(table.columns[columns.front()], context.solution.mechanism)) {
         for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
         for (const std::size_t column : columns) take_values(column);
         const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(), [&](std::size_t column) {
@@ -384,6 +384,11 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
         case QuantityKind::time: return {"s", 1};
         default: return {"", 1};
     }
+}
+
+Unit unit_of(const Column& column, const Mechanism& mechanism) {
+    if (!column.si_unit.empty()) return {column.si_unit, 1};
+    return unit_of(column.unit, mechanism);
 }
 
 /// The text of a cam's column; another column that has a name is called by it.

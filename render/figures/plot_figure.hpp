@@ -15,6 +15,7 @@ namespace kinegraph::render {
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language);
 /// The unit of a column in the file, with its size in SI.
 Unit unit_of(QuantityKind kind, const Mechanism& mechanism);
+Unit unit_of(const Column& column, const Mechanism& mechanism);
 
 /// Data of a single plot.
 struct PlotNotes {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/file/units.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -437,14 +438,35 @@ Topic section_of(const Column& column) {
     }
 }
 
+/// Of an expression: what it may be off where each of its parts is off by its own tolerance. None: not determined.
+std::optional<double> tolerance_of_expression(const ResultExpression& expression, const std::vector<Answer>& answers,
+                                              const std::vector<Figure>& drawn,
+                                              const std::vector<RequestedResult>& found, const Mechanism& mechanism) {
+    std::vector<ValueWithin> parts;
+    for (const Column& part : expression.parts()) {
+        const auto value = std::find_if(found.begin(), found.end(),
+                                        [&](const RequestedResult& each) { return each.column.name == part.name; });
+        if (value == found.end()) return std::nullopt;
+        parts.push_back({value->value, reading_tolerance(answers, drawn, part, value->value, mechanism)});
+    }
+    const auto within = expression.value(parts);
+    return within ? std::optional(within->error) : std::nullopt;
+}
+
+/// `found`: all values, of which an expression is made.
 Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& answers, const std::vector<Figure>& drawn,
-                    const RequestedResult& asked) {
+                    const RequestedResult& asked, const std::vector<RequestedResult>& found) {
+    const Mechanism& mechanism = context.solution.mechanism;
     Answer answer{{}, section_of(asked.column), asked.value / asked.unit_size, asked.unit};
-    answer.tolerance =
-        reading_tolerance(answers, drawn, asked.column, asked.value, context.solution.mechanism) / asked.unit_size;
-    if (!(*answer.tolerance > 0)) answer.tolerance.reset();
-    answer.quantity = asked.column.quantity;
+    if (const auto expression = expression_called(asked.column.name, mechanism)) {
+        answer.tolerance = tolerance_of_expression(*expression, answers, drawn, found, mechanism);
+    } else {
+        answer.tolerance = reading_tolerance(answers, drawn, asked.column, asked.value, mechanism);
+    }
     answer.words = asked.symbol;
+    if (answer.tolerance) *answer.tolerance /= asked.unit_size;
+    if (answer.tolerance && !(*answer.tolerance > 0)) answer.tolerance.reset();
+    answer.quantity = asked.column.quantity;
     if (asked.column.kind == Column::Kind::along) {
         const VectorOf<double> positive = direction_of_sliding(context.solution.pose, asked.column.quantity.joint);
         answer.direction = whole_turn(std::atan2(positive.y, positive.x) * 180 / std::numbers::pi);
@@ -539,10 +561,10 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         if (place >= 0 && is_whole) {
             Answer whole = as_asked(*of, column, context.solution);
             if (!whole.tolerance && value != asked.end())
-                whole.tolerance = told_by_name(context, answers, drawn, *value).tolerance;
+                whole.tolerance = told_by_name(context, answers, drawn, *value, asked).tolerance;
             put(place, std::move(whole));
         } else if (value != asked.end())
-            put(place, told_by_name(context, answers, drawn, *value));
+            put(place, told_by_name(context, answers, drawn, *value, asked));
     }
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Answer> key;
