@@ -10,7 +10,7 @@ set(kinegraph_suite_groups sheets steps_and_upright figures commands)
 # Under sanitizers: the suites that read files and texts, solve and lay out. `tests/run --sanitize --all` runs the
 # others too.
 set(kinegraph_sanitized_suites
-    Reader JsonSource Gate Formula Parameters Units Decimals Exact Root Found/.* ".*/Found" Pose Positions Mobility Branches
+    Reader JsonSource Gate Formula FormulaSyntax Parameters Units Decimals Exact Root Found/.* ".*/Found" Pose Positions Mobility Branches
     Cam Program Forces Derivative Trusses Equations.* EquationsAsJson NamedResults Variants Cycle WorkedArithmetic Examples
     ForceLaws ForceExamples HigherPairs Hertz Impact PointMotion VirtualWork ".*Superposed" RandomChains1 RandomMechanisms1
     RandomForces1 RoundedDegenerateMechanisms Sheet "Sheet/EveryExample" "Lying/OverlapOnPaper" Handouts "Examples/Steps" RandomPages1

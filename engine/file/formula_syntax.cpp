@@ -83,7 +83,8 @@ private:
     /// A sum or a product: operands joined by two signs.
     Syntax joined(Kind kind, char sign, char inverse, Syntax (SyntaxReader::*next)()) {
         skip();
-        Syntax all = node(kind, at_, {}, (this->*next)());
+        Syntax all = node(kind, at_, {});
+        all.parts.push_back((this->*next)());
         for (;;) {
             const bool is_inverse = takes(inverse);
             if (!is_inverse && !takes(sign)) break;
@@ -170,7 +171,7 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     const Grammar& grammar_;
-    int depth_ = 0;
+    int depth_ = -1;  ///< of brackets and powers; the sum that is the whole text makes it 0
 };
 
 }  // namespace
