@@ -187,7 +187,7 @@ private:
         Evaluated result = of(node.parts[0]);
         if (result && node.kind == Syntax::Kind::negative) result->value = -result->value;
         for (std::size_t i = 1; i < node.parts.size() && result; ++i) {
-            const Evaluated other = of(node.parts[i]);
+            Evaluated other = of(node.parts[i]);
             if (!other) return other;
             const bool is_inverse = node.parts[i].is_inverse;
             result = node.kind == Syntax::Kind::sum     ? added(*std::move(result), *other, !is_inverse)
