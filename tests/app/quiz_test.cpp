@@ -10,6 +10,7 @@
 #include <set>
 
 #include "constructions/positions/variants.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "render/backends/quiz_files.hpp"
 #include "render/sheet/quiz_item.hpp"
 #include "render/text/html.hpp"

@@ -173,7 +173,7 @@ TEST(FormulaSyntax, FindsTheFirstFaultInItsPlace) {
                              Case{"a × b", Fault::foreign_times, 2},
                              Case{"2 x", Fault::behind_number, 2},
                              Case{"(2 x", Fault::behind_number, 3},
-                             Case{"a (b)", Fault::none, 0},
+                             Case{"a (b)", Fault::no_fault, 0},
                              Case{"(a) (b)", Fault::behind_value, 4},
                              Case{"a 3", Fault::behind_value, 2},
                              Case{"a ,", Fault::unexpected, 2},
@@ -184,12 +184,12 @@ TEST(FormulaSyntax, FindsTheFirstFaultInItsPlace) {
                              Case{"f(2 +, (", Fault::unexpected, 5},
                              Case{"a'b'", Fault::behind_value, 1},
                              Case{std::string(101, '(') + "1", Fault::nested_brackets, 101},
-                             Case{std::string(100, '(') + "1" + std::string(100, ')'), Fault::none, 0},
+                             Case{std::string(100, '(') + "1" + std::string(100, ')'), Fault::no_fault, 0},
                              Case{std::string(1001, '1'), Fault::too_long, 0}}) {
         Grammar grammar{.has_quoted_names = true, .has_bars = true};
         const Syntax tree = read_syntax(each.text, grammar);
         const Syntax* const fault = first_fault(tree);
-        ASSERT_EQ(fault == nullptr, each.fault == Fault::none) << each.text;
+        ASSERT_EQ(fault == nullptr, each.fault == Fault::no_fault) << each.text;
         if (fault == nullptr) continue;
         EXPECT_EQ(fault->fault, each.fault) << each.text;
         EXPECT_EQ(fault->at, each.at) << each.text;

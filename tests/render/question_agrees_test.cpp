@@ -11,6 +11,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/layout/drawn_sheet.hpp"

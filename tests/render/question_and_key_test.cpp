@@ -13,6 +13,7 @@
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/data.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
