@@ -1,6 +1,7 @@
 #include "constructions/positions/cycle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -46,6 +47,9 @@ bool is_of_forces(const Column& column) {
     return kind == Kind::force || kind == Kind::couple || kind == Kind::effort;
 }
 
+/// Irrational fractions of the travel, to avoid special positions.
+constexpr std::array sample_shares{0.381966, 0.618034, 0.236068, 0.854102};
+
 /// For each body: the direction from its first point to its second, as drawn.
 std::vector<double> drawn_directions(const Mechanism& mechanism, const Pose& pose) {
     std::vector<double> directions;
@@ -83,8 +87,7 @@ public:
 
     std::vector<Unsolved> begin(const Travel& travel, bool checked) {
         is_checked_ = checked;
-        // Irrational fractions of the travel, to avoid special positions.
-        for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
+        for (const double share : sample_shares) {
             if (!go_to(travel.at(share))) continue;
             Solution solution = planned_here();
             columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
@@ -123,13 +126,19 @@ public:
     /// Rows do not depend on whether the columns were followed before: the positions and records are put back.
     const FollowedCycle& follow(const Travel& travel, const std::vector<std::size_t>& whole) {
         const bool is_first = followed_.columns.empty();
-        const std::vector<std::size_t> watched = is_first ? watched_columns(travel, whole) : not_yet_followed(whole);
-        followed_.columns.resize(columns_.size());
-        if (watched.empty()) return followed_;
-        travelled_ = travel.at(1) - travel.at(0);
         const Positions here = positions_;
         KeptRecords kept = records_;
         const int planned = planned_;
+        const std::vector<std::size_t> watched =
+            with_values(is_first ? watched_columns(travel, whole) : not_yet_followed(whole), travel);
+        followed_.columns.resize(columns_.size());
+        if (watched.empty()) {
+            positions_ = here;
+            records_ = std::move(kept);
+            planned_ = planned;
+            return followed_;
+        }
+        travelled_ = travel.at(1) - travel.at(0);
         std::vector<FollowedCurve> curves;
         for (const auto& [stretch, intervals] : smooth_stretches(travel, turns_, clock_.law())) {
             curves.emplace_back(stretch, [&](double at) { return values_at(at, watched); });
@@ -268,8 +277,10 @@ private:
     /// The watched columns, and after them the forces with which contacts push.
     std::optional<FollowedCurve::Values> values_at(double at, const std::vector<std::size_t>& watched) {
         if (!find_values(at)) return std::nullopt;
-        const auto has_value = [](const Derived& each) { return each.is_determined; };
-        if (!std::all_of(derived_.begin(), derived_.end(), has_value)) return std::nullopt;
+        const auto lacks_value = [&](const Derived& each) {
+            return !each.is_determined && std::find(watched.begin(), watched.end(), each.column) != watched.end();
+        };
+        if (std::any_of(derived_.begin(), derived_.end(), lacks_value)) return std::nullopt;
         constexpr double grains = 0x1p7;  // in noise: near a limit velocities have lost some digits
         noise_ = noise_here();
         const double noise_of_forces = levels_.of_forces(columns_, values_);
@@ -284,6 +295,17 @@ private:
             found.grains.push_back(grains * noise_of_forces);
         }
         return found;
+    }
+    /// Those that are no expressions without a value anywhere, such as a quotient by what is always zero.
+    std::vector<std::size_t> with_values(std::vector<std::size_t> columns, const Travel& travel) {
+        std::vector<bool> has_value(derived_.size());
+        for (const double share : sample_shares) {
+            if (derived_.empty() || !find_values(travel.at(share))) continue;
+            for (std::size_t i = 0; i < derived_.size(); ++i) has_value[i] = has_value[i] || derived_[i].is_determined;
+        }
+        for (std::size_t i = 0; i < derived_.size(); ++i)
+            if (!has_value[i]) std::erase(columns, derived_[i].column);
+        return columns;
     }
     std::vector<std::size_t> not_yet_followed(const std::vector<std::size_t>& whole) const {
         std::vector<std::size_t> missing;

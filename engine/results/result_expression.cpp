@@ -434,9 +434,13 @@ tl::expected<ResultExpression, Words> ResultExpression::read(std::string_view te
     expression.is_named_ = named.name != named.text;
     expression.root_ = std::move(read->node);
     expression.parts_ = std::move(reader).parts();
+    if (expression.parts_.empty()) return refused({lang::expressions::no_result_stands_in, quoted(named.text)});
     const auto kind = kind_of(read->kind.dimension);
-    expression.column_ = {
-        Column::Kind::named, {}, std::string(named.name), kind.value_or(QuantityKind::dimensionless), {}};
+    expression.column_ = {Column::Kind::named,
+                          {},
+                          std::string(named.name),
+                          kind.value_or(QuantityKind::dimensionless),
+                          std::string(text)};
     if (kind) return expression;
     Dimension without_angle = read->kind.dimension;
     without_angle.angle = 0;

@@ -31,7 +31,8 @@ struct Column {
     Quantity quantity;  ///< places: the velocity of the point; angle: ω; slid: the sliding velocity
     std::string name;   ///< as docs/command_line.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
     QuantityKind unit = QuantityKind::dimensionless;
-    std::string si_unit = {};  ///< of an expression whose quantity has no kind: "m²/s³"
+    std::string expression = {};  ///< of an expression of results: its text
+    std::string si_unit = {};     ///< of an expression whose quantity has no kind: "m²/s³"
 };
 
 /// The travel of a driver.

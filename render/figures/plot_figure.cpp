@@ -5,8 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/results/result_expression.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/expression_symbol.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
@@ -185,8 +188,9 @@ private:
             text(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small, {foot.x - 1.2, foot.y + 1.05}, 1,
                  theme_.text);
         }
-        text(with_powers("[" + y_unit_.symbol + "]"), theme_.small, {frame_.min.x, frame_.min.y - 2.2}, 0.5,
-             theme_.secondary);
+        if (!y_unit_.symbol.empty())
+            text(with_powers("[" + y_unit_.symbol + "]"), theme_.small, {frame_.min.x, frame_.min.y - 2.2}, 0.5,
+                 theme_.secondary);
         figure_.marks.emplace_back(GroupEnd{});
     }
 
@@ -382,6 +386,7 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
         case QuantityKind::moment: return units.moment;
         case QuantityKind::pressure: return units.pressure;
         case QuantityKind::time: return {"s", 1};
+        case QuantityKind::power: return {"W", 1};
         default: return {"", 1};
     }
 }
@@ -430,7 +435,11 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Column::Kind::slid: return symbol("s", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::along:
             return symbol(std::string(result_kind(q).column), mechanism.joint(q.joint).name, Face::italic);
-        case Column::Kind::named: return with_powers(text_of_column(column.name, language));
+        case Column::Kind::named:
+            if (!column.expression.empty())
+                if (const auto read = ResultExpression::read(column.expression, possible_results(mechanism)))
+                    return symbol_of(*read, mechanism, language);
+            return with_powers(text_of_column(column.name, language));
         case Column::Kind::result: break;
     }
     const ResultKind& kind = result_kind(q);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
@@ -76,9 +77,12 @@ private:
         return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
     }
 
-    std::string amount(double si, QuantityKind kind) const {
-        const Unit unit = unit_of(kind, context_.solution.mechanism);
-        return number(si / unit.si.to_double(), 4, context_.language) + (unit.symbol == "°" ? "°" : " " + unit.symbol);
+    std::string amount(double si, const Column& column) const {
+        return amount(si, unit_of(column, context_.solution.mechanism));
+    }
+    std::string amount(double si, const Unit& unit) const {
+        const bool is_close = unit.symbol == "°" || unit.symbol.empty();
+        return number(si / unit.si.to_double(), 4, context_.language) + (is_close ? "" : " ") + unit.symbol;
     }
 
     void rule(Block& block, double weight) {
@@ -98,15 +102,15 @@ private:
     void row_of(Block& block, std::size_t column) {
         if (table_.rows.empty() || y_ > most_height_) return;
         const auto [least, most] = extremes_of(table_, column);
-        const QuantityKind unit = table_.columns[column].unit;
+        const Column& of = table_.columns[column];
         const RichText name = typeset(table_.columns[column], context_.solution.mechanism, context_.language);
         if (is_constant(table_, column)) {
-            const RichText value = with_powers(amount((least.value + most.value) / 2, unit));
+            const RichText value = with_powers(amount((least.value + most.value) / 2, of));
             return cells(block, {name, value, {}, value, {}}, theme_.text);
         }
         const auto value = [&](const Extreme& each, bool below) {
             return is_unbounded(table_, column, below) ? one_piece(word(lang::sheet::without_limit, context_.language))
-                                                       : with_powers(amount(each.value, unit));
+                                                       : with_powers(amount(each.value, of));
         };
         const auto where = [&](const Extreme& each, bool below) {
             return is_unbounded(table_, column, below) ? RichText() : one_piece(place(each.at));
@@ -164,7 +168,7 @@ private:
         };
         const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid) {
-            say(lang::sheet::stroke, amount(most.value - least.value, of.unit));
+            say(lang::sheet::stroke, amount(most.value - least.value, of));
             // For a full turn at constant speed the time is proportional to the rotation between the two ends of the
             // stroke.
             const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
@@ -177,7 +181,7 @@ private:
         }
         tell_of_poles(column, said);
         if (const FollowedColumn* followed = followed_of(table_, column); followed && of.quantity.kind == Kind::effort)
-            return say(lang::sheet::mean, followed->mean ? amount(*followed->mean, of.unit)
+            return say(lang::sheet::mean, followed->mean ? amount(*followed->mean, of)
                                                          : word(lang::sheet::without_limit, context_.language));
         if (of.quantity.kind == Kind::effort) {
             double sum = 0, way = 0;
@@ -187,7 +191,7 @@ private:
                 way += step;
             }
             const double rounding = 1e-9 * std::max(std::abs(least.value), std::abs(most.value));
-            if (way != 0) say(lang::sheet::mean, amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
+            if (way != 0) say(lang::sheet::mean, amount(std::abs(sum / way) < rounding ? 0 : sum / way, of));
         }
     }
 
@@ -251,8 +255,8 @@ private:
             point = x.quantity.point;
         }
         if (point == none) return std::nullopt;
-        return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) +
-               " (" + context_.solution.mechanism.point(point).name + ")" +
+        return amount(largest.value, unit_of(result_kind(kind).unit, context_.solution.mechanism)) + " (" +
+               context_.solution.mechanism.point(point).name + ")" +
                (is_same_everywhere
                     ? ""
                     : " " + word(lang::sheet::at_the_position, context_.language) + " " + place(largest.at));
