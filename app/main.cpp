@@ -712,7 +712,7 @@ int main(int count, char** arguments) {
     } catch (const std::bad_alloc&) {
         refuse(out_of_memory, language);
     } catch (const std::exception& fault) {
-        refuse(ours + ": " + fault.what(), language);
+        refuse(Words(lang::command_line::this_is_a_fault_of_ours, std::string(fault.what())), language);
     } catch (...) {
         refuse(ours, language);
     }

@@ -9,6 +9,7 @@
 #include "app/commands/cache_record.hpp"
 #include "app/files/json_text.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/notation.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -51,7 +52,7 @@ std::string said_of(const Outcome& outcome, Language language) {
     std::vector<std::string> remarks, unsolved;
     for (const Text& each : outcome.remarks) remarks.push_back(each.in(language));
     for (const Outcome::Missing& each : outcome.unsolved)
-        unsolved.push_back(each.what.in(language) + ": " + each.why.in(language));
+        unsolved.push_back(each.what.in(language) + in(lang::notation::colon, language) + each.why.in(language));
     return member("remarks", remarks) + member("unsolved", unsolved);
 }
 

@@ -10,6 +10,7 @@
 #include "app/files/files.hpp"
 #include "app/files/svg_picture.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/notation.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -81,7 +82,8 @@ bool have_same_size(const PngPicture& a, const PngPicture& b) {
 /// The result as one line.
 std::string verdict(const Side& expected, const Side& actual, const PictureComparison& difference, double threshold) {
     const Language language = expected.language;
-    Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");
+    Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)));
+    line += lang::notation::colon;
     const PngPicture &a = *expected.picture, &b = *actual.picture;
     const auto text = [](auto number) { return std::to_string(number); };
     if (!have_same_size(a, b)) line += {lang::command_line::pixels_became, size_of(a), size_of(b)};

@@ -1,6 +1,7 @@
 // Messages on standard error.
 #include "app/files/messages.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/notation.hpp"
 
 #include <cstdio>
 #include <stdexcept>
@@ -44,7 +45,8 @@ std::string one_line(std::string_view text) {
 Words spoken(const std::string& file) { return file == "-" ? Words(lang::command_line::standard_input) : Words(file); }
 
 void say(const Words& subject, const Words& message, Language language) {
-    std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language));
+    std::string line =
+        one_line(in(subject, language)) + in(lang::notation::colon, language) + one_line(in(message, language));
     if (hearing != nullptr) {
         hearing->lines_.push_back(std::move(line));
         return;
@@ -62,7 +64,8 @@ Status refuse(const Words& message, Language language) {
 Status say(const Words& file, const Diagnostics& faults, Language language) {
     Status status = Status::bad_input;
     for (const Diagnostic& fault : faults) {
-        say(file, fault.place.empty() ? Words(fault.text) : Words(fault.place + ": ") + fault.text, language);
+        say(file, fault.place.empty() ? Words(fault.text) : Words(fault.place) + lang::notation::colon + fault.text,
+            language);
         if (fault.kind == Diagnostic::Kind::output) status = Status::output;
         if (fault.kind == Diagnostic::Kind::no_unique_answer) status = Status::unsolved;
     }

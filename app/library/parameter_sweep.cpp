@@ -19,6 +19,7 @@
 #include "engine/mechanism/variation.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sweeps.hpp"
 
 namespace kinegraph {
@@ -35,7 +36,7 @@ tl::expected<Measured, Words> value_given(const std::string& name, const std::st
                     ? tl::expected<Measured, Words>(tl::unexpected(Words(lang::sweeps::a_value_is_wanted_here_no)))
                     : read_measured(text, {});
     if (read) return *std::move(read);
-    return tl::unexpected(name + ": " + read.error());
+    return tl::unexpected(Words(name) + lang::notation::colon + read.error());
 }
 
 /// The values of the parameter, as settings. The last one does not exceed `to`.

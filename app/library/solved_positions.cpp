@@ -10,6 +10,7 @@
 #include "engine/motion/positions.hpp"
 #include "engine/motion/repositioned.hpp"
 #include "lang/keys/library.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/text/language.hpp"
 
 namespace kinegraph::app {
@@ -64,7 +65,7 @@ tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsW
         }
         const bool every = text.starts_with("every ");
         const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
-        if (!read) return tl::unexpected(Words(dashes + "at: ") + read.error());
+        if (!read) return tl::unexpected(Words(dashes + "at") + lang::notation::colon + read.error());
         if (!every) {
             add(*read);
             continue;
@@ -120,7 +121,7 @@ Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const
         } else {
             Positions here = *positions;
             if (!here.move_to(coordinate.to_double()))
-                return wrong(Words(dashes + "at: ") +
+                return wrong(Words(dashes + "at") + lang::notation::colon +
                              out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
             if (here.is_singular())
                 return wrong({lang::library::at_at_the_mechanism, dashes, text}, ErrorCode::no_unique_answer);

@@ -42,7 +42,7 @@ std::string moodle_head(std::string_view category) {
 std::string moodle_question(const QuizItem& item, std::string_view png) {
     std::string body = html_of(item.question, false) + figure_html(item, "@@PLUGINFILE@@/" + figure_file(item));
     body += "<h3>" + xml_text(item.blanks_heading) + "</h3>\n<ul>\n";
-    for (const QuizBlank& each : item.blanks) body += blank_html(each, field_of(each));
+    for (const QuizBlank& each : item.blanks) body += blank_html(item, each, field_of(each));
     body += "</ul>\n" + notes_html(item);
     return "<question type=\"cloze\">\n<name><text>" + name_html(item) +
            "</text></name>\n<questiontext format=\"html\">\n" + cdata(body) + "<file name=\"" + figure_file(item) +

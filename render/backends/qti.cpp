@@ -36,7 +36,7 @@ std::string body_of(const QuizItem& item) {
     std::string html = "<itemBody>\n" + html_of(item.question, false) + figure_html(item, figure_file(item)) + "<h3>" +
                        xml_text(item.blanks_heading) + "</h3>\n<ul>\n";
     for (std::size_t i = 0; i < item.blanks.size(); ++i)
-        html += blank_html(item.blanks[i],
+        html += blank_html(item, item.blanks[i],
                            "<textEntryInteraction responseIdentifier=\"" + response(i) + "\" expectedLength=\"12\"/>");
     return html + "</ul>\n" + notes_html(item) + "</itemBody>\n";
 }

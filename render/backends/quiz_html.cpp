@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lang/keys/notation.hpp"
 #include "render/text/html.hpp"
 
 namespace kinegraph::render {
@@ -29,9 +30,9 @@ std::string figure_html(const QuizItem& item, const std::string& source) {
            pixels(item.figure.width) + "\" height=\"" + pixels(item.figure.height) + "\"/></p>\n";
 }
 
-std::string blank_html(const QuizBlank& blank, const std::string& field) {
+std::string blank_html(const QuizItem& item, const QuizBlank& blank, const std::string& field) {
     std::string html = "<li>" + to_html(blank.words);
-    if (!blank.symbol.empty()) html += ": " + to_html(blank.symbol);
+    if (!blank.symbol.empty()) html += lang::notation::colon.in(language_named(item.language)) + to_html(blank.symbol);
     html += " = " + field;
     if (!blank.unit.empty()) html += (blank.unit == "°" ? "" : " ") + to_html(with_powers(blank.unit));
     return html + "</li>\n";

@@ -9,6 +9,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
@@ -197,7 +198,7 @@ private:
         std::vector<Block> rows;
         for (const Unsolved& each : solution_.unsolved) {
             RichText text = say(each.what, context_.language);
-            append(text, one_piece(": "));
+            append(text, word(lang::notation::colon, context_.language));
             append(text, say(each.why, context_.language));
             rows.push_back(paragraph(text));
         }
@@ -264,13 +265,14 @@ private:
         append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
                                (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
                                word(lang::sheet::by_gruebler, context_.language)));
-        append(text, one_piece("; " +
-                               (m.effective != m.gruebler
-                                    ? n(m.effective) + " " +
-                                          word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective,
-                                               context_.language)
-                                    : word(lang::sheet::at_this_pose, context_.language)) +
-                               ": " + verdict_words(m, context_.language) + "."));
+        append(text,
+               one_piece(word(lang::notation::semicolon, context_.language) +
+                         (m.effective != m.gruebler
+                              ? n(m.effective) + " " +
+                                    word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective,
+                                         context_.language)
+                              : word(lang::sheet::at_this_pose, context_.language)) +
+                         word(lang::notation::colon, context_.language) + verdict_words(m, context_.language) + "."));
         return text;
     }
     RichText axes_words() const {

@@ -8,6 +8,7 @@
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/data.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
 #include "render/scene/bars.hpp"
@@ -141,7 +142,7 @@ private:
             return say(lang::data::support, {name(joint.point), subject(joint.other_than(frame)), course(*along)});
         RichText shapes;
         const auto add_shape = [&](const RichText& shape) {
-            if (!shapes.empty()) append(shapes, one_piece("; "));
+            if (!shapes.empty()) append(shapes, word(lang::notation::semicolon, language()));
             append(shapes, shape);
         };
         if (joint.tangent) add_shape(filled(lang::data::tangent, {way(*joint.tangent)}));

@@ -15,6 +15,7 @@
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
 #include "render/content/wanted_figures.hpp"
@@ -379,7 +380,7 @@ void add_scales_of_details(const DrawingContext& context, const Figure& figure, 
         own.unit = figure.unit;
         own.scale = scale_of_detail(figure, detail);
         if (named.empty() || !(own.scale > 0)) continue;
-        append(row, one_piece(": "));
+        append(row, word(lang::notation::colon, context.language));
         append(row, scale_words(context, own));
         rows.push_back(std::move(row));
     }
@@ -399,7 +400,7 @@ std::vector<RichText> scales_of(const DrawingContext& context, const std::vector
         if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
         const RichText name = name_of_scale(context, figure, figures);
         RichText row = name;
-        append(row, one_piece(": "));
+        append(row, word(lang::notation::colon, context.language));
         append(row, scale_words(context, figure));
         if (std::find(said.begin(), said.end(), plain(row)) == said.end()) {
             said.push_back(plain(row));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/keys/equations.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -95,7 +96,8 @@ private:
     }
     void write_transport() {
         say(Words(lang::equations::the_transport_of_the_motion, point(), body(), origin()));
-        std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::term})), upright(""), upright("(x; y)"),
+        std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::term})), upright(""),
+                                                upright("(x" + in({lang::notation::semicolon}) + "y)"),
                                                 upright(in({lang::equations::magnitude}))}};
         const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
         const auto a = [&](const std::string& sub) { return Formula::letter("a", sub); };

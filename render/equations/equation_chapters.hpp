@@ -168,6 +168,7 @@ private:
     double in_units(std::size_t row, LetterIndex unknown, double entry) const;
     Formula unknowns_column(const Equations::Block& block, int dots) const;
     Formula matrix(const Equations::Block& block, bool symbols) const;
+    const char* between_entries() const;
     /// The entry without the rounding noise of sines of right angles.
     double rounded(double entry) const;
     Formula right_side(const Equations::Block& block, int dots, bool symbols) const;

@@ -1,4 +1,5 @@
 #include "lang/keys/equations.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/equations/equation_chapters.hpp"
 
 #include <utility>
@@ -69,7 +70,8 @@ Words DeadPointText::change_points_of(const Equations::Solved& solved, bool is_o
 
 std::string DeadPointText::list_of(const std::vector<double>& values, LetterIndex of) const {
     std::string text;
-    for (const double each : values) text += (text.empty() ? "" : "; ") + pen_.amount_of(of, each, 0);
+    for (const double each : values)
+        text += (text.empty() ? "" : pen_.in({lang::notation::semicolon})) + pen_.amount_of(of, each, 0);
     return text;
 }
 

@@ -90,9 +90,11 @@ Formula RateText::matrix(const Equations::Block& block, bool symbols) const {
             entries.push_back(symbols ? joined(pen_.terms(e_.f_y[row][col]))
                                       : pen_.value(rounded(in_units(row, each, e_.jacobian[row][col]))));
         }
-    return Formula::matrix(std::move(entries), block.unknowns.size(),
-                           notation(pen_.language()).between_numbers.c_str());
+    return Formula::matrix(std::move(entries), block.unknowns.size(), between_entries());
 }
+
+/// In plain text: a semicolon where the comma is the decimal mark.
+const char* RateText::between_entries() const { return notation(pen_.language()).decimal_mark == ',' ? "; " : ", "; }
 
 double RateText::rounded(double entry) const {
     double largest = 0;
@@ -214,8 +216,7 @@ void RateText::write_in_parts(const Equations::Block& block) {
         list_.set(equal(names.back(), matrix(part, true)));
     }
     const std::size_t count = names.size();
-    list_.set(equal(Formula::letter("J"),
-                    Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers.c_str())));
+    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count, between_entries())));
 }
 
 void RateText::write_determinant(const Equations::Block& block) {

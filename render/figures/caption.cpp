@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/utf8.hpp"
@@ -30,16 +31,17 @@ std::string ratio_words(double scale, Language language) {
 
 RichText scale_words(const DrawingContext& context, const Figure& figure) {
     const Units& units = context.solution.mechanism.units;
+    const std::string after = word(lang::notation::semicolon, context.language) + " ";
     std::string text;
     if (figure.unit == "m") {
         text = ratio_words(figure.scale, context.language);
         if (units.length.symbol != "mm")
-            text += ";  1 mm ≙ " + shortest_scale(figure.scale / units.length.si.to_double(), context.language) + " " +
-                    units.length.symbol;
+            text += after + "1 mm ≙ " + shortest_scale(figure.scale / units.length.si.to_double(), context.language) +
+                    " " + units.length.symbol;
     } else {
         text = "1 mm ≙ " + shortest_scale(figure.scale, context.language) + " " + figure.unit;
     }
-    if (!figure.further_scale.empty()) text += ";  " + figure.further_scale;
+    if (!figure.further_scale.empty()) text += after + figure.further_scale;
     return with_powers(text);
 }
 

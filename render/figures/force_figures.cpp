@@ -7,6 +7,7 @@
 
 #include "engine/solution/bindings.hpp"
 #include "engine/solution/shifts.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
@@ -672,11 +673,11 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
     if (!load.empty()) {
         std::string words = words_of_load(context, load);
         words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
-        caption.back().text += "; " + words;
+        caption.back().text += word(lang::notation::semicolon, context.language) + words;
     } else if (body.body != none) {
         if (const std::string& label = in(context.solution.mechanism.body(body.body).label, context.language);
             !label.empty())
-            caption.back().text += ": " + label;
+            caption.back().text += word(lang::notation::colon, context.language) + label;
     }
     return caption;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
@@ -194,7 +195,7 @@ private:
         RichText text = one_piece(
             word(is_acceleration() ? lang::sheet::acceleration_polygon : lang::sheet::velocity_polygon, language));
         if (scene_.point.empty()) return text;
-        text.back().text += ": ";
+        text.back().text += word(lang::notation::colon, language);
         append(text, typeset(Symbol{Symbol::Letter::point, scene_.point, ""}, language));
         append(text,
                " " +

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/keys/notation.hpp"
 #include "render/mechanism/symbols.hpp"
 
 namespace kinegraph::render::drawing {
@@ -37,8 +38,10 @@ void draw_joints(Sketch& sketch) {
     const double radius = sketch.measures.pin_radius;
     for (const Joint& joint : sketch.mechanism.joints) {
         const Spot at = sketch.spot(joint);
-        std::string title = joint.name + ":";
-        for (const BodyIndex body : joint.bodies) title += " " + sketch.mechanism.body(body).name;
+        std::string bodies;
+        for (const BodyIndex body : joint.bodies)
+            bodies += (bodies.empty() ? "" : " ") + sketch.mechanism.body(body).name;
+        const std::string title = joint.name + word(lang::notation::colon, sketch.context.language) + bodies;
         sketch.pins.emplace_back(GroupBegin{"joint", sketch.id("joint", joint.name), title, {}});
         const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return coincide(p, at); });
         const bool hinge = joint.pair().has_pin();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/keys/notation.hpp"
 #include "render/mechanism/symbols.hpp"
 
 namespace kinegraph::render::drawing {
@@ -133,8 +134,9 @@ void draw_link(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>& bel
     // The block covers the end of its own rod, because they are one piece.
     draw_sliding_parts(sketch, body, marks);
     const std::string& words = in(data.label, sketch.context.language);
-    sketch.bodies.emplace_back(
-        GroupBegin{"link", sketch.id("link", data.name), words.empty() ? data.name : data.name + ": " + words, {}});
+    const std::string title =
+        words.empty() ? data.name : data.name + in(lang::notation::colon, sketch.context.language) + words;
+    sketch.bodies.emplace_back(GroupBegin{"link", sketch.id("link", data.name), title, {}});
     for (Mark& mark : marks) sketch.bodies.push_back(std::move(mark));
     sketch.bodies.emplace_back(GroupEnd{});
 }

@@ -6,6 +6,7 @@
 #include "engine/check/check_problems.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/hertz.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
@@ -35,10 +36,10 @@ public:
         for (std::size_t i = 0; i < 2; ++i) {
             const HertzBody& body = problem_.bodies.at(i);
             const std::string n = std::to_string(i + 1);
-            said.push_back(formula_words(
-                "{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.",
-                {called(mechanism_.body(body.body)), shape(body, n), given(body.young, QuantityKind::pressure),
-                 numeral(body.poisson.to_double(), as_given)}));
+            said.push_back(called(mechanism_.body(body.body)) + lang::notation::colon +
+                           formula_words("{0}, {E_" + n + "} = {1}, {ν_" + n + "} = {2}.",
+                                         {shape(body, n), given(body.young, QuantityKind::pressure),
+                                          numeral(body.poisson.to_double(), as_given)}));
         }
         if (found_.elliptic && !problem_.turn.is_zero())
             said.emplace_back(lang::hertz::the_first_principal_planes, given(problem_.turn, QuantityKind::angle));
@@ -155,7 +156,7 @@ private:
         for (std::size_t i = 0; i < 2; ++i) {
             const Datum datum = datum_of(problem_, i);
             const Words name = called(mechanism_.body(problem_.bodies.at(i).body));
-            if (i == 1) sum += std::string("; ");
+            if (i == 1) sum += lang::notation::semicolon;
             sum += datum.is_axis ? Words(lang::hertz::of_from_its_axis, name)
                                  : Words(lang::hertz::of_from_below_its_face, name, length(datum.depth));
         }

@@ -4,6 +4,7 @@
 
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/impact.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
@@ -29,7 +30,8 @@ public:
                 said.emplace_back(lang::impact::fixed, name);
                 continue;
             }
-            Words line = formula_words("{0}: {m_" + n + "} = {1}", {name, given(body.mass, QuantityKind::mass)});
+            Words line = name + lang::notation::colon +
+                         formula_words("{m_" + n + "} = {0}", {given(body.mass, QuantityKind::mass)});
             if (body.inertia)
                 line += formula_words(", {I_" + n + "} = {0}", {given(*body.inertia, QuantityKind::inertia)});
             if (found_.bodies.at(i).centre != found_.at)

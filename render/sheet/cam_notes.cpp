@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/figures/plot_figure.hpp"
@@ -44,7 +45,7 @@ private:
     }
     /// "; base circle r_b = 45 mm"
     void add(RichText& line, Key key, const RichText& name, const RichText& value) const {
-        if (!line.empty()) append(line, "; ");
+        if (!line.empty()) append(line, in_words(lang::notation::semicolon));
         append(line, in_words(key) + " ");
         append(line, name);
         append(line, name.empty() ? "" : " = ");
@@ -100,7 +101,7 @@ private:
         return line;
     }
     RichText piece_of_law(const LawPiece& piece, double from, double to) const {
-        RichText line = one_piece(degrees(from) + "–" + degrees(to) + ": ");
+        RichText line = one_piece(degrees(from) + "–" + degrees(to) + in_words(lang::notation::colon));
         if (piece.form == LawForm::rest || piece.rise.is_zero()) {
             append(line, in_words(lang::sheet::law_rest));
             return line;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/sentences/result_catalogue.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
@@ -123,7 +124,7 @@ private:
     std::vector<RichText> facts() const {
         std::vector<RichText> said;
         const auto say = [&](const std::string& what, const std::string& value) {
-            said.push_back(with_powers(what + ": " + value));
+            said.push_back(with_powers(what + word(lang::notation::colon, context_.language) + value));
         };
         const auto in_words = [&](Key key) { return word(key, context_.language); };
         const std::string at = " " + in_words(lang::sheet::at_the_position) + " ";
@@ -163,7 +164,7 @@ private:
         const auto say = [&](Key key, const std::string& value) {
             RichText text = one_piece(word(key, context_.language) + "  ");
             append(text, typeset(of, context_.solution.mechanism, context_.language));
-            append(text, with_powers(": " + value));
+            append(text, with_powers(word(lang::notation::colon, context_.language) + value));
             said.push_back(std::move(text));
         };
         const auto [least, most] = extremes_of(table_, column);
@@ -211,9 +212,11 @@ private:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (i == 0 || all[i].joint != all[i - 1].joint)
                 said.push_back(one_piece(word(lang::sheet::separation, context_.language) + " " +
-                                         context_.solution.mechanism.joint(all[i].joint).name + ":"));
-            append(said.back(), std::string(i > 0 && all[i].joint == all[i - 1].joint ? ", " : " ") +
-                                    place(all[i].from) + " … " + place(all[i].to));
+                                         context_.solution.mechanism.joint(all[i].joint).name +
+                                         word(lang::notation::colon, context_.language)));
+            else
+                append(said.back(), ", ");
+            append(said.back(), place(all[i].from) + " … " + place(all[i].to));
         }
     }
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/content/title_block.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
@@ -46,7 +47,8 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
     page.width = box.width() + 2 * margin;
     page.height = box.height() + 2 * margin;
     page.paper = context.theme.paper;
-    page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
+    page.title = title_of(context.solution, context.language) + word(lang::notation::colon, context.language) +
+                 plain(figure.caption);
     page.language = code_of(context.language);
     page.marks = std::move(figure.marks);
     return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/pairs.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
@@ -85,7 +86,7 @@ private:
     }
     /// "class: 1".
     RichText fact(const std::string& name, const std::string& text) const {
-        RichText line = one_piece(name + ": ", Face::bold);
+        RichText line = one_piece(name + say_word(lang::notation::colon), Face::bold);
         append(line, formula(text));
         return line;
     }

@@ -7,6 +7,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
@@ -60,7 +61,7 @@ public:
         };
         std::vector<std::string> open;
         for (const Unsolved& each : solution_.unsolved)
-            open.push_back(tell(each.what, language_) + ": " + tell(each.why, language_));
+            open.push_back(tell(each.what, language_) + colon() + tell(each.why, language_));
         list(lang::sheet::unsolved, open);
         std::vector<std::string> remarks;
         for (const Message& each : solution_.remarks) remarks.push_back(tell(each, language_));
@@ -68,7 +69,7 @@ public:
         if (!solution_.checks.empty()) {
             double worst = 0;
             for (const CheckRow& row : solution_.checks) worst = std::max(worst, std::abs(row.difference));
-            text += "\n" + word(lang::sheet::largest_difference, language_) + ": " + number(worst, 2, language_) +
+            text += "\n" + word(lang::sheet::largest_difference, language_) + colon() + number(worst, 2, language_) +
                     " (SI)\n";
         }
         return text;
@@ -85,16 +86,17 @@ private:
         if (magnitudes_.is_noise({.kind = kind}, length(v))) return value(0.0);
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
+    std::string colon() const { return word(lang::notation::colon, language_); }
     const std::string& body(BodyIndex index) const { return solution_.mechanism.body(index).name; }
 
     std::string mobility() const {
         const Mobility& m = solution_.mobility;
         const auto n = [](int v) { return (v < 0 ? "−" : "") + std::to_string(std::abs(v)); };
-        std::string text = word(lang::sheet::mobility, language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" +
+        std::string text = word(lang::sheet::mobility, language_) + colon() + "n = 3·" + n(m.bodies - 1) + " − 2·" +
                            n(m.class_1) + " − " + n(m.class_2);
         if (m.welds > 0) text += " − 3·" + n(m.welds);
         text += " = " + n(m.gruebler) + " " + word(lang::sheet::by_gruebler, language_) + ", " + n(m.effective) + " " +
-                word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective, language_) + ": " +
+                word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective, language_) + colon() +
                 verdict_words(m, language_);
         return text + "\n";
     }
@@ -152,8 +154,8 @@ private:
             const Joint& joint = solution_.mechanism.joint(each.joint);
             std::string label = joint.name;
             if (joint.bodies.size() == 2)
-                label +=
-                    ": " + body(joint.bodies[0]) + " " + word(lang::sheet::on, language_) + " " + body(joint.bodies[1]);
+                label += colon() + body(joint.bodies[0]) + " " + word(lang::sheet::on, language_) + " " +
+                         body(joint.bodies[1]);
             rows.push_back(
                 {label, each.velocity ? length_of(Kind::sliding_velocity, *each.velocity, units.velocity) : "–",
                  each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration)
@@ -205,7 +207,7 @@ private:
         for (const JointForce& each : solution_.forces) {
             const std::string from = each.from == none ? word(lang::sheet::pin, language_) : body(each.from);
             const std::string on = each.on == none ? word(lang::sheet::pin, language_) : body(each.on);
-            rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " +
+            rows.push_back({solution_.mechanism.joint(each.joint).name + colon() + from + " " +
                                 word(lang::sheet::on, language_) + " " + on,
                             each.force ? value(any_force, each.force->x, force) : "–",
                             each.force ? value(any_force, each.force->y, force) : "–",

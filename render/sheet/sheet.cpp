@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/layout/sheet_choice.hpp"
@@ -170,7 +171,7 @@ private:
     bool remark(const DrawnFigure& drawn, Key words, const std::vector<RichText>& followed_by) {
         constexpr std::size_t most_listed = 12;
         RichText text = drawn.figure.caption;
-        append(text, one_piece(": " + word(words, context_.language)));
+        append(text, one_piece(word(lang::notation::colon, context_.language) + word(words, context_.language)));
         for (std::size_t i = 0; i < std::min(followed_by.size(), most_listed); ++i) {
             append(text, one_piece(i > 0 ? ", " : " "));
             append(text, followed_by[i]);

@@ -7,6 +7,7 @@
 
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/pairs.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/text/utf8.hpp"
@@ -21,7 +22,7 @@ std::string signed_text(int value) { return (value < 0 ? "−" : "") + std::to_s
 /// Writes headings, tables and lines in either text form.
 class Writer {
 public:
-    explicit Writer(TextForm form) : form_(form) {}
+    Writer(TextForm form, Language language) : form_(form), colon_(kinegraph::in(lang::notation::colon, language)) {}
 
     void title(const std::string& text) {
         if (text.empty()) return;
@@ -63,7 +64,7 @@ public:
     void entry(const std::string& name, const std::vector<std::array<std::string, 2>>& facts) {
         if (form_ == TextForm::markdown) {
             text_ += "### " + name + "\n\n";
-            for (const auto& [word, fact] : facts) text_ += "- " + word + ": " + fact + "\n";
+            for (const auto& [word, fact] : facts) text_ += "- " + word + colon_ + fact + "\n";
             text_ += "\n";
             return;
         }
@@ -91,6 +92,7 @@ private:
         return out;
     }
     TextForm form_;
+    std::string colon_;
     std::string text_;
 };
 
@@ -142,7 +144,8 @@ void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
     for (const auto& [pairs, bodies] : by_pairs) {
         std::string names;
         for (const std::string& name : bodies) names += (names.empty() ? "" : ", ") + name;
-        page.line(in(arity(pairs), language) + ": " + std::to_string(bodies.size()) + " (" + names + ")");
+        page.line(in(arity(pairs) + lang::notation::colon, language) + std::to_string(bodies.size()) + " (" + names +
+                  ")");
     }
 }
 
@@ -151,7 +154,7 @@ void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
 std::string pair_catalogue(Language language, TextForm form) {
     if (form == TextForm::json) return pair_catalogue_json();
     const auto say_word = [&](Key key) { return word(key, language); };
-    Writer page(form);
+    Writer page(form, language);
     page.title(say_word(lang::sheet::catalogue_of_pairs));
     page.heading(say_word(lang::sheet::pairs_of_the_plane));
     for (const PlanePair& pair : plane_pairs) {
@@ -185,7 +188,7 @@ std::string pair_catalogue(Language language, TextForm form) {
     const std::vector<std::string> bodies{"1", "2", "3"};
     std::string three;
     for (const BinaryScheme& scheme : binary_schemes(3)) three += (three.empty() ? "" : ", ") + spelt(scheme, bodies);
-    page.line(say_word(lang::sheet::schemes_of_three) + ": " + three);
+    page.line(say_word(lang::sheet::schemes_of_three) + say_word(lang::notation::colon) + three);
     std::vector<Cells> counts{{say_word(lang::sheet::bodies_at_the_hinge), say_word(lang::sheet::multiplicity),
                                say_word(lang::sheet::stars), say_word(lang::sheet::schemes)}};
     for (int n = 2; n <= 6; ++n)
@@ -200,12 +203,13 @@ namespace {
 /// "M: multiplicity 2, 3 equivalent schemes: …".
 std::string multiple_hinge_line(const Joint& joint, const std::vector<std::string>& bodies, Language language) {
     const auto n = static_cast<int>(bodies.size());
-    std::string line = joint.name + ": " + word(lang::sheet::multiplicity, language) + " " + std::to_string(n - 1) +
+    const std::string colon = word(lang::notation::colon, language);
+    std::string line = joint.name + colon + word(lang::sheet::multiplicity, language) + " " + std::to_string(n - 1) +
                        ", " + schemes_of(n) + " " + word(lang::sheet::equivalent_schemes, language);
     constexpr int listed_bodies = 4;  // 16 schemes
     if (n > listed_bodies) return line;
     std::string all;
-    for (const BinaryScheme& scheme : binary_schemes(n)) all += (all.empty() ? ": " : ", ") + spelt(scheme, bodies);
+    for (const BinaryScheme& scheme : binary_schemes(n)) all += (all.empty() ? colon : ", ") + spelt(scheme, bodies);
     return line + all;
 }
 
@@ -248,11 +252,12 @@ void write_verdict(Writer& page, const Mobility& m, Language language) {
     const auto say_word = [&](Key key) { return word(key, language); };
     page.heading(say_word(lang::sheet::at_this_position));
     const int freedoms = 3 * (m.bodies - 1);
-    page.line(say_word(lang::sheet::rank) + ": " + std::to_string(freedoms - m.effective) + " = " +
-              std::to_string(freedoms - m.gruebler) + " " + say_word(lang::sheet::constraints) + " − " +
-              std::to_string(m.repeated()) + " " + say_word(lang::sheet::repeated) + "; " + signed_text(m.effective) +
-              " " + say_word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective));
-    page.line(say_word(lang::sheet::verdict) + ": " + verdict_words(m, language));
+    page.line(say_word(lang::sheet::rank) + say_word(lang::notation::colon) + std::to_string(freedoms - m.effective) +
+              " = " + std::to_string(freedoms - m.gruebler) + " " + say_word(lang::sheet::constraints) + " − " +
+              std::to_string(m.repeated()) + " " + say_word(lang::sheet::repeated) +
+              say_word(lang::notation::semicolon) + signed_text(m.effective) + " " +
+              say_word(m.effective == 1 ? lang::sheet::effective_one : lang::sheet::effective));
+    page.line(say_word(lang::sheet::verdict) + say_word(lang::notation::colon) + verdict_words(m, language));
 }
 
 }  // namespace
@@ -260,7 +265,7 @@ void write_verdict(Writer& page, const Mobility& m, Language language) {
 std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
                         Language language, TextForm form) {
     if (form == TextForm::json) return pair_report_json(mechanism, mobility, remarks);
-    Writer page(form);
+    Writer page(form, language);
     page.title(in(mechanism.title, language));
     write_pairs(page, mechanism, language);
     write_chain(page, mechanism, language);

@@ -14,6 +14,7 @@
 
 #include "engine/number/assert.hpp"
 #include "lang/keys/cases.hpp"
+#include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/text/joined_names.hpp"
 
@@ -430,7 +431,7 @@ RichText say(const Message& message, Language language, const BeforeLine& before
         PatternSetter(message.arguments, language, Setting::typeset, before_line).set(message.sentence.in(language));
     const std::vector<RichText> worked_arithmetic = worked_out(message.worked_arithmetic, language);
     for (std::size_t i = 0; i < worked_arithmetic.size(); ++i) {
-        text.push_back(piece(i == 0 ? " " : "; "));
+        text.push_back(piece(i == 0 ? " " : word(lang::notation::semicolon, language)));
         append(text, worked_arithmetic[i]);
     }
     if (!message.worked_arithmetic.empty()) text.push_back(piece("."));
@@ -442,7 +443,7 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
     bool first = true;
     for (const Message* message : messages) {
         const auto part = [&](const RichText& said) {
-            if (!std::exchange(first, false)) text.push_back(piece("; "));
+            if (!std::exchange(first, false)) text.push_back(piece(word(lang::notation::semicolon, language)));
             append(text, said);
         };
         for (const RichText& working : worked_out(message->worked_arithmetic, language)) part(working);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,6 +20,7 @@
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/pages.hpp"
 
 namespace words_test {
 namespace {
@@ -88,6 +90,37 @@ TEST(Words, OfOtherLanguagesAreInTheirFilesAlone) {
                 EXPECT_FALSE(literals.contains(text)) << text;
             }
     EXPECT_GT(looked_at, 6000U);
+}
+
+/// The colons and semicolons after which a text goes on, or ends, and before which there is no space; with what stands
+/// before them. Those after a quotation mark are of the file's format.
+std::vector<std::string> unspaced_marks(const std::string& text) {
+    std::vector<std::string> found;
+    static const std::regex mark("[^ ~\"\n]{0,12}([^ ~\"\n])[:;](?= |$|\n)");
+    for (std::sregex_iterator at(text.begin(), text.end(), mark), end; at != end; ++at)
+        if (!at->str(1).ends_with('\xA0')) found.push_back(at->str());
+    return found;
+}
+
+TEST(Words, OfFrenchHaveASpaceBeforeAColonAndASemicolon) {
+    EXPECT_EQ(unspaced_marks("a\u00A0: b; c").size(), 1U);
+    for (const lang::Section* section : lang::all_sections())
+        for (std::size_t i = 0; i < section->size(); ++i)
+            EXPECT_EQ(unspaced_marks(section->text(i, Language::fr)), std::vector<std::string>()) << section->name(i);
+    std::size_t colons = 0;
+    for (const char* name : {"four_bar", "truss_simple", "planetary_train", "sluice_gate", "cam_from_law",
+                             "contact/roller_in_ring", "contact/rod_hit_off_centre", "motion/projectile"}) {
+        const Solution& solution = tests::example(name);
+        std::string said = results_table(solution, Language::fr);
+        for (const SheetKind kind : {SheetKind::solution, SheetKind::question}) {
+            SheetOptions options = tests::options_of({Language::fr});
+            options.kind = kind;
+            said += pages::words_of(lay_out(solution, options, tests::fonts()));
+        }
+        EXPECT_EQ(unspaced_marks(said), std::vector<std::string>()) << name;
+        colons += static_cast<std::size_t>(std::count(said.begin(), said.end(), ':'));
+    }
+    EXPECT_GT(colons, 50U);
 }
 
 /// The places of a text: 0, 1 …, also those that a case or a choice of words refers to.
