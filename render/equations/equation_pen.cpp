@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "lang/keys/equations.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render::closure {
@@ -105,7 +106,7 @@ Formula EquationPen::angle(const Equations::Angle& of) const {
 }
 
 Formula EquationPen::trigonometric(bool sine, Formula of, bool bare) const {
-    Formula term = Formula::function(sine ? "sin" : "cos");
+    Formula term = Formula::function(sine ? word(lang::notation::sine_in_equations, language_) : "cos");
     term += bare ? std::move(of) : Formula::fenced(std::move(of));
     return term;
 }

@@ -114,13 +114,14 @@ private:
         for (std::size_t i = 0; i < 2; ++i)
             if (at.pitch_radii.at(i) > 0)
                 radii += (radii.empty() ? "" : ",  ") + std::string("{r_") + std::to_string(i + 1) + "} = {" +
-                         std::to_string(i) + "} sin {α}";
+                         std::to_string(i) + "} {3} {α}";
         const auto pitch = [&](std::size_t i) {
             return amount(at.pitch_radii.at(i), QuantityKind::length, mechanism_.units, 5);
         };
         return Words(lang::hertz::at_the_pitch_point_the_teeth, at.joint) +
                formula_words("\n" + radii + ",  {α} = {2}.",
-                             {pitch(0), pitch(1), amount(at.pressure_angle, QuantityKind::angle, mechanism_.units)});
+                             {pitch(0), pitch(1), amount(at.pressure_angle, QuantityKind::angle, mechanism_.units),
+                              lang::notation::sine_in_equations});
     }
 
     Words shape(const HertzBody& body, const std::string& n) const {

@@ -191,7 +191,9 @@ Formula Formula::function(const std::string& name) {
     Formula made = upright(name);
     // A thin space, as before a factor.
     made.text.front().text += "\u200A";
-    made.as_latex = "\\" + name + " ";
+    // LaTeX has no command for the Spanish sen.
+    made.as_latex =
+        name == "sin" || name == "cos" || name == "tan" ? "\\" + name + " " : "\\operatorname{" + name + "} ";
     made.as_plain = name + " ";
     return made;
 }

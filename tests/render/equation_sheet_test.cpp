@@ -75,6 +75,17 @@ INSTANTIATE_TEST_SUITE_P(Examples, EquationSheet,
                                          "cam_roller_follower", "scara", "double_butterfly", "beam"),
                          [](const auto& each) { return std::string(each.param); });
 
+TEST(EquationText, CallsASineAsItsLanguageDoes) {
+    const Solution solution = with_equations("slider_crank");
+    for (const Language language : languages) {
+        const std::vector<EquationItem> items = equation_items(solution, language);
+        const bool spanish = language == Language::es;
+        EXPECT_NE(as_text(items).find(spanish ? "sen β" : "sin β"), std::string::npos);
+        EXPECT_EQ(as_text(items).find(spanish ? "sin β" : "sen β"), std::string::npos);
+        EXPECT_NE(as_latex(items).find(spanish ? "\\operatorname{sen} \\beta" : "\\sin \\beta"), std::string::npos);
+    }
+}
+
 /// Every known term is on the side, and has the sign, that the drawn position asks for.
 TEST(EquationText, ProjectsWithTheRightSigns) {
     const auto text = [](const char* name) { return as_text(equation_items(with_equations(name), Language::en)); };
