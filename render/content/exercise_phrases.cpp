@@ -12,6 +12,7 @@
 #include "lang/keys/sheet.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/scene/bars.hpp"
+#include "render/text/bound_blank.hpp"
 
 namespace kinegraph::render {
 
@@ -41,14 +42,14 @@ RichText ExercisePhrases::ratio(const Exact& value) const {
 
 RichText ExercisePhrases::angle(const Angle& angle) const {
     RichText text = number_of(angle.value.to_double());
-    append(text, angle.in_degrees ? "°" : " rad");
+    append(text, angle.in_degrees ? "°" : with_unit("", "rad"));
     return text;
 }
 
 RichText ExercisePhrases::pair(double x, double y) const {
     RichText text = one_piece("(");
     append(text, number_of(x));
-    append(text, notation(language()).between_numbers);
+    append(text, bound(notation(language()).between_numbers));
     append(text, number_of(y));
     append(text, ")");
     return text;
@@ -56,7 +57,7 @@ RichText ExercisePhrases::pair(double x, double y) const {
 
 RichText ExercisePhrases::vector(const Vector& si, const Unit& unit) const {
     RichText text = pair((si.x / unit.si).to_double(), (si.y / unit.si).to_double());
-    append(text, with_powers(" " + unit.symbol));
+    append(text, with_powers(with_unit("", unit.symbol)));
     return text;
 }
 

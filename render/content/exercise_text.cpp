@@ -24,6 +24,7 @@
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/scene/bars.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -276,7 +277,7 @@ private:
 }  // namespace
 
 RichText given_amount(const Exact& si, const Unit& unit, Language language) {
-    return with_powers(drawing::given_number((si / unit.si).to_double(), language) + " " + unit.symbol);
+    return with_powers(with_unit(drawing::given_number((si / unit.si).to_double(), language), unit.symbol));
 }
 
 std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<RequestedResult>& found) {

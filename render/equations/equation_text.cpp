@@ -5,6 +5,7 @@
 #include "lang/keys/equations.hpp"
 #include "render/equations/equation_chapters.hpp"
 #include "render/equations/equation_pen.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/utf8.hpp"
 
@@ -113,7 +114,7 @@ std::string as_latex(std::span<const EquationItem> items) {
         std::string text;
         for (const char c : words) {
             if (c == '_' || c == '%' || c == '&' || c == '#' || c == '$' || c == '{' || c == '}') text += '\\';
-            text += c;
+            text += c == bound_blank ? ' ' : c;
         }
         return text;
     };

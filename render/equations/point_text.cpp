@@ -7,6 +7,7 @@
 
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/equations.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/expression_formula.hpp"
 #include "render/text/formula.hpp"
 
@@ -116,10 +117,10 @@ protected:
     Words time(const Exact& si) const { return amount(si.to_double(), QuantityKind::time, mechanism_.units, as_given); }
     Words place_words(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
-        return {lang::equations::place_with_unit, numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),
-                mechanism_.units.length.symbol};
+        return bound(Words(lang::equations::place_with_unit, numeral(v.x.to_double() / si, 5),
+                           numeral(v.y.to_double() / si, 5), mechanism_.units.length.symbol));
     }
-    std::string place(const Vector& v) const { return in(place_words(v), language_); }
+    std::string place(const Vector& v) const { return unbound(in(place_words(v), language_)); }
 
     Language language_;
     const Mechanism& mechanism_;

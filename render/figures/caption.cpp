@@ -6,6 +6,7 @@
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -32,14 +33,16 @@ std::string ratio_words(double scale, Language language) {
 RichText scale_words(const DrawingContext& context, const Figure& figure) {
     const Units& units = context.solution.mechanism.units;
     const std::string after = word(lang::notation::semicolon, context.language) + " ";
+    const auto scale_of = [&](double scale, const std::string& unit) {
+        return with_unit("1", "mm") + " ≙ " + with_unit(shortest_scale(scale, context.language), unit);
+    };
     std::string text;
     if (figure.unit == "m") {
         text = ratio_words(figure.scale, context.language);
         if (units.length.symbol != "mm")
-            text += after + "1 mm ≙ " + shortest_scale(figure.scale / units.length.si.to_double(), context.language) +
-                    " " + units.length.symbol;
+            text += after + scale_of(figure.scale / units.length.si.to_double(), units.length.symbol);
     } else {
-        text = "1 mm ≙ " + shortest_scale(figure.scale, context.language) + " " + figure.unit;
+        text = scale_of(figure.scale, figure.unit);
     }
     if (!figure.further_scale.empty()) text += after + figure.further_scale;
     return with_powers(text);

@@ -21,6 +21,7 @@
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
+#include "render/text/bound_blank.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -125,7 +126,7 @@ std::string html(const RichText& text) {
     for (const Piece& piece : as_set(text)) {
         // Combining dots follow their letter.
         const std::string dots = piece.dots == 0 ? "" : piece.dots == 1 ? "\u0307" : "\u0308";
-        out += in_face(piece.text + dots, piece.face);
+        out += in_face(unbound(piece.text) + dots, piece.face);
         if (!piece.sub.empty()) out += "<sub>" + in_face(piece.sub, piece.sub_face) + "</sub>";
         if (!piece.sup.empty()) out += "<sup>" + in_face(piece.sup, piece.sup_face) + "</sup>";
     }

@@ -7,6 +7,7 @@
 #include "lang/keys/notation.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -134,8 +135,9 @@ private:
     Words vector(const Vector& v, QuantityKind kind, int digits = 4) const {
         const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);
         const double si = unit.si.to_double();
-        return Words(lang::impact::vector_with_unit, numeral(v.x.to_double() / si, digits),
-                     numeral(v.y.to_double() / si, digits), unit.symbol.empty() ? std::string() : " " + unit.symbol);
+        return bound(Words(lang::impact::vector_with_unit, numeral(v.x.to_double() / si, digits),
+                           numeral(v.y.to_double() / si, digits),
+                           unit.symbol.empty() ? std::string() : " " + unit.symbol));
     }
     Words speed(const Exact& scaled) const {
         return amount(scaled.to_double() / size_, QuantityKind::velocity, mechanism_.units);

@@ -3,6 +3,7 @@
 #include "lang/keys/finite_positions.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -112,8 +113,8 @@ private:
     /// "(12, 5) mm". In Italian a semicolon separates coordinates, because the comma is the decimal sign.
     Words place(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
-        return {lang::finite_positions::place_with_unit, numeral(v.x.to_double() / si, 5),
-                numeral(v.y.to_double() / si, 5), mechanism_.units.length.symbol};
+        return bound(Words(lang::finite_positions::place_with_unit, numeral(v.x.to_double() / si, 5),
+                           numeral(v.y.to_double() / si, 5), mechanism_.units.length.symbol));
     }
 
     const Mechanism& mechanism_;

@@ -9,6 +9,7 @@
 #include "render/content/exercise_text.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
+#include "render/text/bound_blank.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -83,7 +84,7 @@ private:
             pair_of(drawing::given_number(follower.pivot.x.to_double() / unit, language_),
                     drawing::given_number(follower.pivot.y.to_double() / unit, language_), language_);
         add(line, lang::sheet::pivot, one_piece("Q", Face::italic),
-            with_powers(place + " " + cam_.units.length.symbol));
+            with_powers(bound(place + " " + cam_.units.length.symbol)));
         if (!is_flat) add(line, lang::sheet::arm_of_follower, {}, length(follower.arm));
         return line;
     }

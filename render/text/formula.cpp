@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/text/bound_blank.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -109,14 +110,22 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
     }
 }
 
-std::string amount(double si, QuantityKind kind, const Units& units, Language language, int digits) {
+namespace {
+
+std::string bound_amount(double si, QuantityKind kind, const Units& units, Language language, int digits) {
     const Unit unit = suitable_unit(si, kind, units);
     const double in_unit = si / unit.si.to_double();
     const std::string value = digits == as_given ? given(in_unit, language) : number(in_unit, digits, language);
-    return unit.symbol.empty() || unit.symbol == "°" ? value + unit.symbol : value + " " + unit.symbol;
+    return unit.symbol.empty() || unit.symbol == "°" ? value + unit.symbol : with_unit(value, unit.symbol);
+}
+
+}  // namespace
+
+std::string amount(double si, QuantityKind kind, const Units& units, Language language, int digits) {
+    return unbound(bound_amount(si, kind, units, language, digits));
 }
 Words amount(double si, QuantityKind kind, const Units& units, int digits) {
-    return in_all([&](Language language) { return amount(si, kind, units, language, digits); });
+    return in_all([&](Language language) { return bound_amount(si, kind, units, language, digits); });
 }
 Words numeral(double value, int digits) {
     return in_all([&](Language language) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/text/bound_blank.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -70,7 +71,7 @@ std::string xml_text(std::string_view text) {
 std::string to_html(const RichText& text) {
     std::string html;
     for (const Piece& piece : text) {
-        std::string letters = with_breaks(piece.text);
+        std::string letters = with_breaks(unbound(piece.text));
         if (piece.dots == 1) letters += dot_above;
         if (piece.dots == 2) letters += two_dots_above;
         html += in_face(std::move(letters), piece.face);

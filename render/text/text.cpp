@@ -14,6 +14,7 @@
 #include <unordered_map>
 
 #include "engine/number/assert.hpp"
+#include "render/text/bound_blank.hpp"
 #include "render/text/typeface.hpp"
 #include "render/text/utf8.hpp"
 
@@ -279,6 +280,10 @@ struct Stretch {
     bool symbol = false;         // with a subscript or an exponent
     const Word* word = nullptr;  // null unless the stretch is a word
     Reach reach{};               // em boxes of its letters, mm
+    bool bound = false;          // blanks between a number and its unit
+
+    /// A line may end here.
+    bool parts_words() const { return blank && !bound; }
 };
 
 /// A copy of a piece without scripts, with other words.
@@ -366,6 +371,7 @@ public:
 
     ShapedLine finish(RichText text) {
         line_.width = x_;
+        for (Piece& piece : text) piece.text = unbound(std::move(piece.text));
         line_.words = plain(text);
         line_.text = std::move(text);
         return std::move(line_);
@@ -460,6 +466,9 @@ bool has_raised_digits(std::string_view text) {
     return false;
 }
 
+constexpr std::array<char, 2> either_blank{' ', bound_blank};
+constexpr std::string_view between_words(either_blank.data(), either_blank.size());
+
 /// Keeps a number with a power of ten together: no break at its × sign.
 std::string with_whole_powers_of_ten(std::string text) {
     constexpr std::string_view times = " × 10", unbroken = "\u00A0×\u00A010";
@@ -484,7 +493,8 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
         }
         const std::string words = with_whole_powers_of_ten(piece.text);
         for (std::size_t at = 0; at < words.size();) {
-            const std::size_t blank = words.find(' ', at), end = blank == std::string::npos ? words.size() : blank + 1;
+            const std::size_t blank = words.find_first_of(between_words, at),
+                              end = blank == std::string::npos ? words.size() : blank + 1;
             for (Piece& part : with_powers(words.substr(at, end - at))) {
                 Piece set = piece;
                 set.text = std::move(part.text);
@@ -539,7 +549,8 @@ RichText with_powers(const std::string& given) {
                                  });
         if (power != powers.end()) {
             // A line may still break before the word that has the exponent.
-            const std::size_t blank = rich.back().sup.empty() ? rich.back().text.rfind(' ') : std::string::npos;
+            const std::size_t blank =
+                rich.back().sup.empty() ? rich.back().text.find_last_of(between_words) : std::string::npos;
             if (blank != std::string::npos && blank + 1 < rich.back().text.size()) {
                 std::string raised = rich.back().text.substr(blank + 1);
                 rich.back().text.resize(blank + 1);
@@ -570,7 +581,7 @@ std::string plain(const RichText& text) {
         if (!piece.sub.empty()) (words += '_') += piece.sub;
         if (!piece.sup.empty()) (words += '^') += piece.sup;
     }
-    return words;
+    return unbound(std::move(words));
 }
 
 Fonts::Fonts(Typefaces faces) : state_(std::make_unique<State>()) {
@@ -637,10 +648,10 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t word = i;  // the next word begins here, after spaces
         double to_word = width;
-        while (word < stretches.size() && stretches[word].blank) to_word += stretches[word++].width;
+        while (word < stretches.size() && stretches[word].parts_words()) to_word += stretches[word++].width;
         std::size_t end = word;
         double to_end = to_word;
-        while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
+        while (end < stretches.size() && !stretches[end].parts_words()) to_end += stretches[end++].width;
         if (word == end) break;  // only spaces are left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
             // A word that is too long for a line is divided before its symbols, and after a symbol that fits on the
@@ -692,7 +703,8 @@ std::vector<Stretch> stretches_of(State& state, const RichText& text, double siz
                 blank ? state.faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
                       : word->advance;
             const Reach reach = blank ? Reach{} : Reach{word->reach.over * size, word->reach.under * size};
-            stretches.push_back({p, at, end, blank, em * size, false, word, reach});
+            const bool bound = blank && words.substr(at, end - at).find(bound_blank) != std::string_view::npos;
+            stretches.push_back({p, at, end, blank, em * size, false, word, reach, bound});
             at = end;
         }
     }

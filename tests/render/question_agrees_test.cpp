@@ -21,6 +21,7 @@
 #include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
+#include "render/text/bound_blank.hpp"
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
@@ -76,7 +77,7 @@ std::string given_in(const Solution& solution, Language language) {
     const std::vector<ProblemSection> sections = sections_of_problem(context);
     std::string text;
     for (std::size_t i = 0; i + sections.front().found < sections.front().sentences.size(); ++i)
-        text += in(sections.front().sentences[i], language) + "\n";
+        text += unbound(in(sections.front().sentences[i], language)) + "\n";
     return text;
 }
 

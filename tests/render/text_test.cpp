@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "render/page/shapes.hpp"
+#include "render/text/bound_blank.hpp"
+#include "render/text/html.hpp"
 #include "render/text/utf8.hpp"
 #include "tests/support/fonts.hpp"
 
@@ -269,6 +271,24 @@ TEST(Type, RaisesDigitsThatTheFontsHaveNot) {
     const std::vector<std::string> missing = fonts().missing();
     for (const char* raised_by_us : {"U+2070", "U+2074", "U+2075", "U+207B"})
         EXPECT_EQ(std::count(missing.begin(), missing.end(), raised_by_us), 0) << raised_by_us;
+}
+
+/// A line ends nowhere between a number and its unit that have room on it; what is set has ordinary blanks.
+TEST(Wrap, KeepsANumberWithItsUnit) {
+    const std::string mass = "m = " + with_unit("0.25", "kg m²"), length = ",  b = " + with_unit("0.1831", "mm") + ".";
+    const RichText text = with_powers(mass + length);
+    std::size_t divided = 0;
+    for (double measure = fonts().shape({piece("0.25 kg m²,")}, 9).width; measure < 60; measure += 0.5) {
+        std::string all;
+        const std::vector<ShapedLine> lines = fonts().wrap(text, 9, measure);
+        for (const ShapedLine& line : lines) all += line.words + "|";
+        EXPECT_NE(all.find("0.25 kg m^2"), std::string::npos) << all;
+        EXPECT_NE(all.find("0.1831 mm."), std::string::npos) << all;
+        divided += lines.size() > 1 ? 1 : 0;
+    }
+    EXPECT_GT(divided, 20U);
+    EXPECT_EQ(plain(text), "m = 0.25 kg m^2,  b = 0.1831 mm.");
+    EXPECT_EQ(to_html(text), "m = 0.25 kg m<sup>2</sup>,  b = 0.1831 mm.");
 }
 
 TEST(Wrap, NothingIsOneEmptyLine) {
