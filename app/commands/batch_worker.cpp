@@ -9,6 +9,7 @@
 #include "app/commands/cache_record.hpp"
 #include "app/files/json_text.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 
 namespace kinegraph::app {
@@ -93,7 +94,7 @@ std::string BatchWorker::answer(const std::string& line) {
 BatchWorker::Answer BatchWorker::carry_out(SolveRequest& line) {
     if (!line.faults.empty()) return {say({lang::command_line::the_line}, line.faults, line.language())};
     if (!line.text) {
-        auto text = read_whole(line.file, {lang::command_line::mechanism_file});
+        auto text = read_whole(line.file, {lang::common::mechanism_file});
         if (!text) {
             say(spoken(line.file), text.error(), line.language());
             return {Status::bad_input};

@@ -4,7 +4,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
-#include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -51,7 +51,7 @@ Status cam_command(const CamRequest& request) {
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});
-    const auto text = read_whole(request.file, {lang::command_line::cam_file});
+    const auto text = read_whole(request.file, {lang::common::cam_file});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return Status::bad_input;

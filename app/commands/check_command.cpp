@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 
@@ -13,7 +14,7 @@ std::string bare_name(const std::string& file) {
 
 tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Language language,
                                                  const std::vector<ParameterValue>& set) {
-    const auto text = read_whole(file, {lang::command_line::mechanism_file});
+    const auto text = read_whole(file, {lang::common::mechanism_file});
     if (!text) {
         say(spoken(file), text.error(), language);
         return tl::unexpected(Status::bad_input);
@@ -43,7 +44,7 @@ Words contents_of(const MechanismFile& file) {
         "{0}, {1}, {2}",
         {counts.bodies == 1 ? Words(lang::command_line::one_body)
                             : counted(counts.bodies, {lang::command_line::body}, {lang::command_line::bodies}),
-         counted(counts.joints, {lang::command_line::joint}, {lang::command_line::joints}),
+         counted(counts.joints, {lang::common::joint}, {lang::command_line::joints}),
          counted(counts.drivers, {lang::command_line::driver}, {lang::command_line::drivers})});
 }
 
@@ -63,7 +64,7 @@ Status check_cam(const std::string& text, const CheckRequest& request) {
 Status check_command(const CheckRequest& request) {
     const Language language = request.language;
     const Words name = spoken(request.file);
-    const auto text = read_whole(request.file, {lang::command_line::mechanism_file});
+    const auto text = read_whole(request.file, {lang::common::mechanism_file});
     if (!text) {
         say(name, text.error(), language);
         return Status::bad_input;

@@ -8,6 +8,7 @@
 #include "app/commands/outputs.hpp"
 #include "app/commands/solved.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -101,7 +102,7 @@ std::vector<Text> remarks_on_request(const SolveRequest& request, const Solved& 
     }
     if (wants(request, "equations"))
         if (const auto why = solved.why_without(Solved::Addition::equations))
-            remarks.push_back(Words(lang::command_line::no_equations, *why));
+            remarks.push_back(Words(lang::common::no_equations, *why));
     if (wants(request, "virtual work"))
         if (const auto why = solved.why_without(Solved::Addition::virtual_work))
             remarks.push_back(Words(lang::command_line::no_virtual_work, *why));
@@ -205,7 +206,7 @@ tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std:
     const Language language = request.language();
     if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
     auto text = request.text ? tl::expected<std::string, Words>(*request.text)
-                             : read_whole(request.file, {lang::command_line::mechanism_file});
+                             : read_whole(request.file, {lang::common::mechanism_file});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return tl::unexpected(Status::bad_input);

@@ -23,6 +23,7 @@
 #include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -398,7 +399,7 @@ Status variants_command(const VariantsRequest& request) {
             language);
     DrawingOptions options = request.sheet;
     if (const auto status = set_theme(options, request.theme, request.file)) return *status;
-    auto text = read_whole(request.file, {lang::command_line::mechanism_file});
+    auto text = read_whole(request.file, {lang::common::mechanism_file});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return Status::bad_input;

@@ -19,6 +19,7 @@
 #include "app/server/local_server.hpp"
 #include "app/server/watched_file.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -155,7 +156,7 @@ Words why_not_watched(const std::string& file) {
     struct stat status {};
     if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
         return {lang::command_line::is_no_plain_file_which_could};
-    const auto text = read_whole(file, {lang::command_line::mechanism_file});
+    const auto text = read_whole(file, {lang::common::mechanism_file});
     return text ? Words() : text.error();
 }
 

@@ -13,6 +13,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"
 #include "lang/keys/cams.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph {
 
@@ -72,7 +73,7 @@ void compare_with_law(CamCycle::State& cycle) {
 /// The angle of the cam at which the mechanism is written and drawn, rad.
 tl::expected<double, Words> turn_asked(const CamOptions& options, const Cam& cam) {
     const std::string& dashes = options.dashes;
-    if (options.steps < 2) return tl::unexpected(Words(lang::cams::steps_at_least_2_are_needed, dashes));
+    if (options.steps < 2) return tl::unexpected(Words(lang::common::at_least_2_steps, dashes));
     if (options.at.empty()) return 0.0;
     const auto turn = app::quantity_of(options.at, QuantityKind::angle, cam.units.angle.si);
     if (!turn) return tl::unexpected(dashes + "at " + turn.error());
@@ -164,7 +165,7 @@ Expected<CamFile> CamFile::parse(std::string_view text, std::string name) {
 }
 
 Expected<CamFile> CamFile::open(const std::string& path) {
-    const auto text = read_file(path, {lang::cams::cam_file});
+    const auto text = read_file(path, {lang::common::cam_file});
     if (!text) return tl::unexpected(text.error());
     return parse(*text, path.substr(path.rfind('/') + 1));
 }

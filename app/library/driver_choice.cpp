@@ -9,6 +9,7 @@
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
 
 namespace kinegraph::app {
@@ -54,8 +55,8 @@ tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kin
     const auto written = read_quantity(text, kind);
     if (!written) return tl::unexpected(written.error());
     if (written->unit->kind != kind)
-        return tl::unexpected(Words(lang::library::is_is_wanted_here, quoted(text), with_article(written->unit->kind),
-                                    with_article(kind)));
+        return tl::unexpected(
+            Words(lang::common::is_but_is_wanted, quoted(text), with_article(written->unit->kind), with_article(kind)));
     return written->in_si();
 }
 tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {

@@ -14,6 +14,7 @@
 #include "engine/motion/mobility.hpp"
 #include "engine/reading/mechanism_schema.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
@@ -87,7 +88,7 @@ Expected<MechanismFile> MechanismFile::parse(std::string_view text, std::string 
 }
 
 Expected<MechanismFile> MechanismFile::open(const std::string& path, const std::vector<ParameterValue>& set) {
-    const auto text = read_file(path, {lang::library::mechanism_file});
+    const auto text = read_file(path, {lang::common::mechanism_file});
     if (!text) return tl::unexpected(text.error());
     return parse(*text, path.substr(path.rfind('/') + 1), set);
 }
@@ -164,7 +165,7 @@ Expected<std::string> MechanismFile::equations(TextForm form, Language language)
     if (!solution->equations)
         return refused(Diagnostic::Kind::bad_input, {lang::library::a_problem_in_place_of_joints});
     if (!solution->equations->why_not.empty())
-        return refused(Diagnostic::Kind::bad_input, Words(lang::library::no_equations, solution->equations->why_not));
+        return refused(Diagnostic::Kind::bad_input, Words(lang::common::no_equations, solution->equations->why_not));
     if (form == TextForm::json) return "{\n  \"equations\": " + equations_json(*solution->equations) + "\n}\n";
     return printed(render::equation_items(*solution, language), form);
 }

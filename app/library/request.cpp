@@ -10,6 +10,7 @@
 #include "engine/file/json_source.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
 
 namespace kinegraph {
@@ -57,7 +58,7 @@ private:
 
     void read() {
         const JsonValue root = source_.root();
-        if (!root.is_object()) return wrong(root, {lang::library::an_object});
+        if (!root.is_object()) return wrong(root, {lang::common::an_object});
         for (const JsonValue twice : source_.duplicates())
             if (!twice.pointer().starts_with("/mechanism/"))
                 fault(twice, {lang::library::is_given_twice, std::string(twice.key())});
@@ -83,11 +84,11 @@ private:
     }
     bool text(JsonValue value, std::string& into) {
         if (value.is_string()) into = value.text();
-        if (!value.is_string()) wrong(value, {lang::library::a_text});
+        if (!value.is_string()) wrong(value, {lang::common::a_text});
         return value.is_string();
     }
     void flag(JsonValue value, bool& into) {
-        if (value.kind() != JsonValue::Kind::boolean) return wrong(value, {lang::library::true_or_false});
+        if (value.kind() != JsonValue::Kind::boolean) return wrong(value, {lang::common::true_or_false});
         into = is_true(value);
     }
     /// A text, or an array of them.
@@ -222,7 +223,7 @@ private:
             if (each.is_string() || each.is_number())
                 request_.set.push_back({std::string(each.key()), std::string(each.text())});
             else
-                wrong(each, {lang::library::a_number_a_quantity});
+                wrong(each, {lang::common::a_number_a_quantity_or_a_formula});
         }
     }
     void read_wanted(JsonValue value) {

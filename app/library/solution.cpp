@@ -7,6 +7,7 @@
 #include "engine/results/quantity_name.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
@@ -141,7 +142,7 @@ Expected<std::string> Solved::equations(Language language) const {
     if (!solution.equations)
         return refused(Diagnostic::Kind::bad_input, {lang::library::the_closure_equations_were_not_asked});
     if (!solution.equations->why_not.empty())
-        return refused(Diagnostic::Kind::bad_input, Words(lang::library::no_equations, solution.equations->why_not));
+        return refused(Diagnostic::Kind::bad_input, Words(lang::common::no_equations, solution.equations->why_not));
     return render::as_text(render::equation_items(solution, language));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/library/driver_choice.hpp"
 #include "constructions/positions/cycle.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
@@ -52,7 +53,7 @@ tl::expected<AskedCourse, Words> course_asked(const SweepOptions& options, const
     }
     if (asked.from && asked.to && *asked.from == *asked.to)
         return tl::unexpected(Words(lang::sweeps::from_and_to_are_the_same_position, dashes));
-    if (options.steps < 2) return tl::unexpected(Words(lang::sweeps::steps_at_least_2_are_needed, dashes));
+    if (options.steps < 2) return tl::unexpected(Words(lang::common::at_least_2_steps, dashes));
     if (const auto wrong = add_along(options, mechanism, asked)) return tl::unexpected(*wrong);
     return asked;
 }

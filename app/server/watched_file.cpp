@@ -7,6 +7,7 @@
 
 #include "app/files/files.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -55,7 +56,7 @@ void WatchedFile::hand_over() {
     struct stat status {};
     // Reading a pipe would block.
     const bool can_be_read = ::stat(path_.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
-    auto text = can_be_read ? read_whole(path_, {lang::command_line::mechanism_file})
+    auto text = can_be_read ? read_whole(path_, {lang::common::mechanism_file})
                             : tl::unexpected(Words(lang::command_line::is_no_plain_file_which_could));
     const std::lock_guard lock(mutex_);
     if (!text) {

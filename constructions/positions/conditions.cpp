@@ -7,6 +7,7 @@
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/positions.hpp"
 
 namespace kinegraph {
@@ -34,7 +35,7 @@ public:
         if (!read)
             return fails({ErrorCode::bad_input,
                           condition_.where,
-                          {lang::positions::is_and, quoted(kin->column.name), with_article(kind), quoted(side.text),
+                          {lang::common::is_and, quoted(kin->column.name), with_article(kind), quoted(side.text),
                            described(*side.measured)}});
         return read->in_si().to_double();
     }

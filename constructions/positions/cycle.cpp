@@ -132,13 +132,15 @@ public:
         const std::vector<std::size_t> watched =
             with_values(is_first ? watched_columns(travel, whole) : not_yet_followed(whole), travel);
         followed_.columns.resize(columns_.size());
-        if (watched.empty()) {
-            positions_ = here;
-            records_ = std::move(kept);
-            planned_ = planned;
-            return followed_;
-        }
         travelled_ = travel.at(1) - travel.at(0);
+        if (!watched.empty()) follow_watched(travel, watched, whole, is_first);
+        positions_ = here;
+        records_ = std::move(kept);
+        planned_ = planned;
+        return followed_;
+    }
+    void follow_watched(const Travel& travel, const std::vector<std::size_t>& watched,
+                        const std::vector<std::size_t>& whole, bool is_first) {
         std::vector<FollowedCurve> curves;
         for (const auto& [stretch, intervals] : smooth_stretches(travel, turns_, clock_.law())) {
             curves.emplace_back(stretch, [&](double at) { return values_at(at, watched); });
@@ -152,10 +154,6 @@ public:
         for (std::size_t i = 0; is_first && i < contacts_.size(); ++i)
             for (const auto& [from, to] : columns.negative(watched.size() + i))
                 followed_.separations.push_back({contacts_[i].joint, from, to});
-        positions_ = here;
-        records_ = std::move(kept);
-        planned_ = planned;
-        return followed_;
     }
     std::size_t add(const ResultExpression& expression) {
         Derived derived{expression, columns_.size(), {}};

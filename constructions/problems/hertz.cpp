@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/check/check_problems.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 
 namespace kinegraph {
@@ -215,7 +216,7 @@ std::vector<ProblemValue> values_of(const HertzProblem& problem, const HertzSolu
         values.push_back({{lang::hertz::contact_radius}, "a", length, found.a, check.a});
     }
     values.push_back({{lang::hertz::mean_pressure}, "p_m", pressure, found.mean, check.mean});
-    values.push_back({{lang::hertz::greatest_pressure}, "p_0", pressure, found.greatest, check.greatest});
+    values.push_back({{lang::common::greatest_pressure}, "p_0", pressure, found.greatest, check.greatest});
     values.push_back({{lang::hertz::approach}, "δ", length, found.approach, check.approach});
     values.push_back({{lang::hertz::greatest_shear}, "τ_max", pressure, found.shear, check.shear});
     values.push_back({{lang::hertz::depth_of_greatest_shear}, "z_τ", length, found.depth, check.depth});

@@ -7,6 +7,7 @@
 
 #include "constructions/problems/problems.hpp"
 #include "engine/check/check_problems.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 
 namespace kinegraph {
@@ -159,7 +160,7 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
     add({lang::reye::pressure_1}, "p_1", pressure, found.first, check.first, at_end(0, lang::reye::pressure), false);
     add(lang::reye::pressure_2, "p_2", pressure, found.second, check.second, at_end(1, lang::reye::pressure), false);
     if (problem.kind == Kind::shoe)
-        add({lang::reye::greatest_pressure}, "p_max", pressure, found.greatest, check.greatest, {});
+        add({lang::common::greatest_pressure}, "p_max", pressure, found.greatest, check.greatest, {});
     if (problem.kind == Kind::pad && found.m)
         add(Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1,
             {lang::reye::relative_gain_in_pressure_from_end});

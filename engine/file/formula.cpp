@@ -10,6 +10,7 @@
 #include "engine/file/error.hpp"
 #include "engine/file/formula_syntax.hpp"
 #include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
@@ -308,7 +309,7 @@ private:
             b = in_radians(std::move(b));
             return std::nullopt;
         }
-        return Words(lang::expressions::and_do_not_go_together, described(a), described(b));
+        return Words(lang::common::do_not_go_together, described(a), described(b));
     }
     Evaluated added(Measured a, Measured b, bool plus) const {
         if (auto why = match(a, b)) {

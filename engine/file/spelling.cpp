@@ -1,6 +1,7 @@
 #include "engine/file/spelling.hpp"
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/files.hpp"
 
 namespace kinegraph {
@@ -13,7 +14,7 @@ Words described(JsonValue value) {
         case JsonValue::Kind::array:
             if (value.size() == 0) return {lang::files::an_empty_array};
             return {lang::files::an_array, std::to_string(value.size())};
-        case JsonValue::Kind::object: return {lang::files::an_object};
+        case JsonValue::Kind::object: return {lang::common::an_object};
     }
     KG_ASSERT(false, "every kind of value has a description");
 }
@@ -48,7 +49,7 @@ bool has_control_character(std::string_view text, bool also_blank) {
 }
 
 Words did_you_mean(const std::optional<std::string>& name) {
-    return name ? Words(lang::files::did_you_mean, quoted(*name)) : Words();
+    return name ? Words(lang::common::did_you_mean, quoted(*name)) : Words();
 }
 
 }  // namespace kinegraph

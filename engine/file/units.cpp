@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/units.hpp"
 
 namespace kinegraph {
@@ -280,20 +281,20 @@ Words name_of(QuantityKind kind) {
 
 Words with_article(QuantityKind kind) {
     switch (kind) {
-        case QuantityKind::dimensionless: return lang::units::a_bare_number;
-        case QuantityKind::length: return lang::units::a_length;
+        case QuantityKind::dimensionless: return lang::common::a_bare_number;
+        case QuantityKind::length: return lang::common::a_length;
         case QuantityKind::angle: return lang::units::an_angle;
         case QuantityKind::angular_velocity: return lang::units::an_angular_velocity;
         case QuantityKind::angular_acceleration: return lang::units::an_angular_acceleration;
         case QuantityKind::velocity: return lang::units::a_velocity;
         case QuantityKind::acceleration: return lang::units::an_acceleration;
-        case QuantityKind::mass: return lang::units::a_mass;
-        case QuantityKind::force: return lang::units::a_force;
+        case QuantityKind::mass: return lang::common::a_mass;
+        case QuantityKind::force: return lang::common::a_force;
         case QuantityKind::moment: return lang::units::a_moment;
-        case QuantityKind::inertia: return lang::units::a_moment_of_inertia;
+        case QuantityKind::inertia: return lang::common::a_moment_of_inertia;
         case QuantityKind::pressure: return lang::units::a_pressure;
         case QuantityKind::time: return lang::units::a_time;
-        case QuantityKind::area: return lang::units::an_area;
+        case QuantityKind::area: return lang::common::an_area;
         case QuantityKind::force_per_length: return lang::units::a_force_per_length;
         case QuantityKind::torsional_stiffness: return lang::units::a_torsional_stiffness;
         case QuantityKind::power: return lang::units::a_power;
@@ -372,7 +373,7 @@ tl::expected<Exact, Words> read_decimal(std::string_view text) {
         return tl::make_unexpected(Words(lang::units::a_number_of_digits_1000, std::to_string(written->places)));
     if (written->digits.empty()) return Exact();
     if (written->order > order_margin || written->order < -order_margin)
-        return tl::make_unexpected(Words(lang::units::is_outside_1e_60_1e60, shown(text, 40)));
+        return tl::make_unexpected(Words(lang::common::is_out_of_range, shown(text, 40)));
     // Normalised with the point behind the first digit, so that the exponent is small.
     std::string normal = written->negative ? "-" : "";
     normal += written->digits[0];

@@ -1,5 +1,6 @@
 #include "engine/reading/sections.hpp"
 #include "lang/keys/bodies.hpp"
+#include "lang/keys/common.hpp"
 
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@ void BodiesSection::register_bodies(JsonValue stated, JsonValue bodies) {
             frame_name = stated.text();
             file_.check_name(stated, frame_name);
         } else {
-            file_.wrong(stated, {lang::bodies::a_body_name});
+            file_.wrong(stated, {lang::common::a_name_of_a_body});
             file_.know_bodies(false);
         }
     }
@@ -66,9 +67,9 @@ void BodiesSection::read_body_circle(JsonValue value, BodyIndex index) {
     if (!file_.expect(value, Kind::object, {lang::bodies::centre_radius})) return;
     const Members form = file_.members(value, {"centre", "radius"}, {lang::bodies::a_body_circle});
     Circle circle;
-    circle.centre = file_.point(file_.required(form, "centre", {lang::bodies::the_circle_centre}));
-    circle.radius = file_.positive(file_.required(form, "radius", {lang::bodies::the_circle_radius}),
-                                   QuantityKind::length, {lang::bodies::a_radius});
+    circle.centre = file_.point(file_.required(form, "centre", {lang::common::the_centre_of_the_circle}));
+    circle.radius = file_.positive(file_.required(form, "radius", {lang::common::the_radius_of_the_circle}),
+                                   QuantityKind::length, {lang::common::a_radius});
     body_at(index).circle = std::move(circle);
 }
 

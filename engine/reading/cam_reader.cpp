@@ -7,6 +7,7 @@
 #include "engine/mechanism/cam.hpp"
 #include "engine/reading/law_reader.hpp"
 #include "lang/keys/cams.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph {
 namespace {
@@ -35,7 +36,7 @@ private:
         if (const auto other = fault_of_kind(root, FileKind::cam)) return fault(other->first, other->second);
         const Members file =
             members(root, {"$schema", "kinegraph", "title", "units", "cam"}, {lang::cams::the_file_of_a_cam});
-        const JsonValue version = required(file, "kinegraph", {lang::cams::write_kinegraph_1_the_version});
+        const JsonValue version = required(file, "kinegraph", {lang::common::write_the_version});
         if (version && (!version.is_number() || version.text() != "1"))
             fault(version, {lang::cams::the_version_of_the_format, described(version)});
         if (file["title"]) cam_.title = words(file["title"]);
@@ -51,7 +52,7 @@ private:
                  {std::pair("length", QuantityKind::length), std::pair("angle", QuantityKind::angle),
                   std::pair("angular velocity", QuantityKind::angular_velocity)}) {
                 const JsonValue value = set[key];
-                if (!value || !expect(value, Kind::string, {lang::cams::a_unit})) continue;
+                if (!value || !expect(value, Kind::string, {lang::common::a_unit})) continue;
                 const KnownUnit* unit = unit_spelt(value.text());
                 if (unit == nullptr || unit->kind != kind)
                     fault(value, unknown_unit_message(value.text(), kind));

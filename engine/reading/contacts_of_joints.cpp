@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/joints.hpp"
 
 #include <array>
@@ -19,8 +20,8 @@ void ContactsOfJoints::read(const Members& form, const Joint& joint, JointIndex 
     contact.joint = index;
     contact.where = materials.pointer();
     read_bodies(materials, joint, contact);
-    contact.length = file_.positive(file_.required(form, "length", {lang::joints::how_long_the_line_of_contact}),
-                                    QuantityKind::length, {lang::joints::the_length});
+    contact.length = file_.positive(file_.required(form, "length", {lang::common::the_length_of_contact}),
+                                    QuantityKind::length, {lang::common::the_length});
     check_profiles(materials, form, joint);
     contacts_.push_back(std::move(contact));
 }
@@ -56,7 +57,7 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
                 file_.members(member, {"material", "young", "poisson", "depth"}, {lang::joints::a_material});
             materials_.read(properties, body);
             if (properties["depth"])
-                body.depth = file_.positive(properties["depth"], QuantityKind::length, {lang::joints::the_depth});
+                body.depth = file_.positive(properties["depth"], QuantityKind::length, {lang::common::the_depth});
         }
     }
     for (std::size_t i = 0; i < 2; ++i)

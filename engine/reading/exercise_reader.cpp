@@ -7,6 +7,7 @@
 #include "engine/mechanism/variation.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/exercises.hpp"
 #include "lang/keys/expressions.hpp"
 
@@ -198,7 +199,7 @@ std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, cons
     }
     auto read = read_measured(value.text(), {});
     if (read && value.is_string() && read->is_bare)
-        read = tl::make_unexpected(Words(lang::exercises::has_no_unit_add, quoted(value.text())));
+        read = tl::make_unexpected(Words(lang::common::has_no_unit, quoted(value.text())));
     if (read && own != nullptr && (read->is_bare != own->is_bare || !(read->dimension == own->dimension)))
         read = tl::make_unexpected(Words(lang::exercises::is_the_parameter_own_value, shown(value.text(), 40),
                                          described(*read), described(*own)));
@@ -231,11 +232,11 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
     if (!from || !to || !step) return;
     for (const auto& [key, value] : {std::pair("to", &*to), std::pair("step", &*step)})
         if (value->is_bare != from->is_bare || !(value->dimension == from->dimension)) {
-            fault(form[key], {lang::exercises::and_do_not_go_together, described(*from), described(*value)});
+            fault(form[key], {lang::common::do_not_go_together, described(*from), described(*value)});
             return;
         }
     if (step->value.sign() <= 0) {
-        fault(form["step"], {lang::exercises::must_be_greater_than_zero, quoted("step")});
+        fault(form["step"], {lang::common::must_be_positive, quoted("step")});
         return;
     }
     if (to->value < from->value) {
@@ -474,11 +475,11 @@ void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
         if (side->result.empty()) {
             const auto read = as_quantity(*side->measured, column->unit, bare_unit(column->unit));
             if (!read)
-                fault(at, {lang::exercises::is_and, quoted(result->result), with_article(column->unit),
-                           quoted(side->text), described(*side->measured)});
+                fault(at, {lang::common::is_and, quoted(result->result), with_article(column->unit), quoted(side->text),
+                           described(*side->measured)});
         } else if (const Column* other = result_named(side->result); other != nullptr && other->unit != column->unit) {
-            fault(at, {lang::exercises::is_and, quoted(result->result), with_article(column->unit),
-                       quoted(side->result), with_article(other->unit)});
+            fault(at, {lang::common::is_and, quoted(result->result), with_article(column->unit), quoted(side->result),
+                       with_article(other->unit)});
         }
     }
 }

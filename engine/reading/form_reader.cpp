@@ -1,4 +1,5 @@
 #include "engine/reading/form_reader.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/forms.hpp"
 #include "lang/keys/notation.hpp"
 
@@ -136,7 +137,7 @@ BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
 BodyIndex FormReader::body(JsonValue value) {
     if (!value) return none;
     if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
-    wrong(value, {lang::forms::a_body_name});
+    wrong(value, {lang::common::a_name_of_a_body});
     return none;
 }
 
@@ -148,7 +149,7 @@ BodyIndex FormReader::moving_body(JsonValue value, const Words& why) {
 
 Words FormReader::words(JsonValue value) {
     const auto line = [&](JsonValue text) -> std::string {
-        if (!expect(text, Kind::string, {lang::forms::a_text})) return {};
+        if (!expect(text, Kind::string, {lang::common::a_text})) return {};
         if (has_control_character(text.text(), false))
             fault(text, {lang::forms::a_control_character_cannot_be_drawn, quoted(text.text())});
         std::string clean(text.text());
@@ -223,14 +224,14 @@ void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
     const bool of_the_file = parameter.set.empty();
     tl::expected<Measured, Words> value = tl::make_unexpected(Words());
     if (of_the_file && !parameter.at.is_number() && !parameter.at.is_string()) {
-        wrong(parameter.at, {lang::forms::a_number_a_quantity});
+        wrong(parameter.at, {lang::common::a_number_a_quantity_or_a_formula});
     } else {
         value = read_measured(of_the_file ? parameter.at.text() : parameter.set,
                               [this](std::string_view other) { return look_up_parameter(other); });
     }
     // "40" is a number in quotes: it lacks its unit, as everywhere in a file.
     if (value && of_the_file && parameter.at.is_string() && !is_formula(parameter.at.text()) && value->is_bare)
-        value = tl::make_unexpected(Words(lang::forms::has_no_unit_add, quoted(parameter.at.text())));
+        value = tl::make_unexpected(Words(lang::common::has_no_unit, quoted(parameter.at.text())));
     --parameters_being_read_;
     being_read_ = outer;
     parameter.state = value ? Parameter::State::read : Parameter::State::faulty;
@@ -324,7 +325,7 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
     } else if (value.is_string()) {
         result = read_quantity(value.text(), kind);
         if (result && result->unit->kind != kind) {
-            result = tl::make_unexpected(Words(lang::forms::is_is_wanted_here, quoted(value.text()),
+            result = tl::make_unexpected(Words(lang::common::is_but_is_wanted, quoted(value.text()),
                                                with_article(result->unit->kind), with_article(kind)));
         }
     } else {
@@ -332,7 +333,7 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
         return std::nullopt;
     }
     if (result && !is_within_range(result->in_si())) {
-        result = tl::make_unexpected(Words(lang::forms::is_outside_1e_60_1e60, shown(value.text(), 40)));
+        result = tl::make_unexpected(Words(lang::common::is_out_of_range, shown(value.text(), 40)));
     }
     if (!result) {
         fault(value, std::move(result.error()));
@@ -353,7 +354,7 @@ Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) {
 
 Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() <= 0) fault(value, {lang::forms::must_be_greater_than_zero, what});
+    if (number && number->sign() <= 0) fault(value, {lang::common::must_be_positive, what});
     return number.value_or(Exact(1));
 }
 
@@ -364,7 +365,7 @@ Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& 
 }
 
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
-    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {lang::forms::a_bare_number})))
+    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {lang::common::a_bare_number})))
         return std::nullopt;
     tl::expected<Exact, Words> number;
     if (value.is_number()) {

@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 
 #include <algorithm>
@@ -19,15 +20,15 @@ std::optional<HertzProblem> HertzSection::read(JsonValue section) {
         file_.members(section, {"force", "bodies", "contact", "length", "turned"}, {lang::hertz::hertz});
     HertzProblem problem;
     problem.force = file_.positive(file_.required(form, "force", {lang::hertz::the_force_that_presses_the_bodies}),
-                                   QuantityKind::force, {lang::hertz::the_force});
+                                   QuantityKind::force, {lang::common::the_force});
     if (const JsonValue contact = form["contact"]) {
         problem.line = contact.text() == "line";
         if (!contact.is_string() || (contact.text() != "line" && contact.text() != "point"))
             file_.wrong(contact, {lang::hertz::point_or_line});
     }
     if (problem.line) {
-        problem.length = file_.positive(file_.required(form, "length", {lang::hertz::how_long_the_line_of_contact}),
-                                        QuantityKind::length, {lang::hertz::the_length});
+        problem.length = file_.positive(file_.required(form, "length", {lang::common::the_length_of_contact}),
+                                        QuantityKind::length, {lang::common::the_length});
         if (form["turned"]) file_.fault(form["turned"], {lang::hertz::bodies_that_touch_along_a_line});
     } else {
         if (form["length"]) file_.fault(form["length"], {lang::hertz::a_contact_at_a_point});
@@ -44,7 +45,7 @@ HertzBody HertzSection::read_body(JsonValue member, bool line) {
     HertzBody body;
     body.body = bodies_.body(member);
     body.where = member.pointer();
-    if (!file_.expect(member, Kind::object, {lang::hertz::an_object})) return body;
+    if (!file_.expect(member, Kind::object, {lang::common::an_object})) return body;
     const Members form =
         file_.members(member, {"radius", "radii", "flat", "inside", "material", "young", "poisson", "depth", "label"},
                       {lang::hertz::a_body});
@@ -53,7 +54,7 @@ HertzBody HertzSection::read_body(JsonValue member, bool line) {
     materials_.read(form, body);
     if (const JsonValue depth = form["depth"]) {
         if (line && (body.radii[0].is_zero() || body.inside[0]))
-            body.depth = file_.positive(depth, QuantityKind::length, {lang::hertz::the_depth});
+            body.depth = file_.positive(depth, QuantityKind::length, {lang::common::the_depth});
         else
             file_.fault(depth, {lang::hertz::only_a_flat_or_concave_body});
     }
@@ -70,7 +71,7 @@ void HertzSection::read_shape(const Members& form, bool line, HertzBody& body) {
     } else if (shape.key() == "radius") {
         read_radius(shape, 0, body);
         body.radii[1] = body.radii[0];
-        if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::hertz::true_or_false}))
+        if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::common::true_or_false}))
             body.inside = {is_true(form["inside"]), is_true(form["inside"])};
     } else {
         const Words wanted(lang::hertz::two_principal_radii_r1_r2_each);
@@ -93,7 +94,7 @@ void HertzSection::read_shape(const Members& form, bool line, HertzBody& body) {
 
 void HertzSection::read_radius(JsonValue value, std::size_t plane, HertzBody& body) {
     if (value.is_string() && value.text() == flat_word) return;
-    body.radii[plane] = file_.positive(value, QuantityKind::length, {lang::hertz::a_radius});
+    body.radii[plane] = file_.positive(value, QuantityKind::length, {lang::common::a_radius});
 }
 
 void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodies) {

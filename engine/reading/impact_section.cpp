@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/impact.hpp"
 
 #include <cstddef>
@@ -37,12 +38,12 @@ ImpactBody ImpactSection::read_body(JsonValue member) {
     ImpactBody body;
     body.body = bodies_.body(member);
     body.where = member.pointer();
-    if (!file_.expect(member, Kind::object, {lang::impact::an_object})) return body;
+    if (!file_.expect(member, Kind::object, {lang::common::an_object})) return body;
     const Members form = file_.members(
         member, {"mass", "centre", "inertia", "velocity", "omega", "pivot", "fixed", "label"}, {lang::impact::a_body});
     if (form["label"]) mechanism_.bodies[at_index(body.body)].label = file_.words(form["label"]);
     if (const JsonValue fixed = form["fixed"];
-        fixed && file_.expect(fixed, Kind::boolean, {lang::impact::true_or_false}))
+        fixed && file_.expect(fixed, Kind::boolean, {lang::common::true_or_false}))
         body.fixed = is_true(fixed);
     if (body.fixed) {
         for (const std::string_view key : {"mass", "centre", "inertia", "velocity", "omega", "pivot"})
@@ -50,9 +51,9 @@ ImpactBody ImpactSection::read_body(JsonValue member) {
         return body;
     }
     body.mass = file_.positive(file_.required(form, "mass", {lang::impact::the_mass_or_fixed_true}), QuantityKind::mass,
-                               {lang::impact::a_mass});
+                               {lang::common::a_mass});
     if (form["inertia"])
-        body.inertia = file_.positive(form["inertia"], QuantityKind::inertia, {lang::impact::a_moment_of_inertia});
+        body.inertia = file_.positive(form["inertia"], QuantityKind::inertia, {lang::common::a_moment_of_inertia});
     if (form["centre"]) body.centre = file_.place(form["centre"]);
     if (form["omega"]) body.omega = file_.quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
     body.velocity = file_.vector(form["velocity"], QuantityKind::velocity, {lang::impact::a_vector_vx_vy});

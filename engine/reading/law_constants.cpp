@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/laws.hpp"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ std::optional<Measured> LawConstants::read_one(JsonValue member) {
         if (const auto formula = with_unit_put_together(member.text()))
             if (auto read = read_measured(*formula, known)) value = std::move(read);
     if (value && member.is_string() && !is_formula(member.text()) && value->is_bare)
-        value = tl::make_unexpected(Words(lang::laws::has_no_unit_add, quoted(member.text())));
+        value = tl::make_unexpected(Words(lang::common::has_no_unit, quoted(member.text())));
     if (value) return *std::move(value);
     if (!value.error().empty()) file_.fault(member, std::move(value.error()));
     return std::nullopt;

@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/loads.hpp"
 
 #include <utility>
@@ -14,9 +15,9 @@ void LoadsSection::read_masses(JsonValue masses) {
         if (!file_.expect(member, Kind::object, {lang::loads::mass_centre_inertia})) continue;
         const Members form = file_.members(member, {"mass", "centre", "inertia"}, {lang::loads::a_body_mass});
         mass.mass = file_.not_negative(file_.required(form, "mass", {lang::loads::how_much}), QuantityKind::mass,
-                                       {lang::loads::a_mass});
+                                       {lang::common::a_mass});
         mass.centre = file_.point(file_.required(form, "centre", {lang::loads::the_centre_of_mass}));
-        mass.inertia = file_.not_negative(form["inertia"], QuantityKind::inertia, {lang::loads::a_moment_of_inertia});
+        mass.inertia = file_.not_negative(form["inertia"], QuantityKind::inertia, {lang::common::a_moment_of_inertia});
         mechanism_.masses.push_back(std::move(mass));
     }
 }
@@ -57,7 +58,7 @@ void LoadsSection::read_force(JsonValue value) {
     const Members form = file_.members(value,
                                        {"force", "body", "at", "value", "magnitude", "along", "pressure", "area",
                                         "couple", "bodies", "between", "pin"},
-                                       {lang::loads::a_force});
+                                       {lang::common::a_force});
     for (const std::string_view key : {"couple", "bodies", "between", "pin"})
         if (form.has_or_misspells(key)) return;
     if (!form.has_or_misspells("force")) {
@@ -76,7 +77,7 @@ void LoadsSection::read_force(JsonValue value) {
 
 void LoadsSection::read_pin_load(JsonValue value) {
     const Members form = file_.members(value, {"force", "pin", "value", "magnitude", "along", "pressure", "area"},
-                                       {lang::loads::a_force});
+                                       {lang::common::a_force});
     ForceLoad force;
     force.where = value.pointer();
     if (const JsonValue name = file_.required(form, "force", {lang::loads::the_force_name}))
@@ -110,7 +111,7 @@ std::optional<Exact> LoadsSection::pressure_on_area(const Members& form) {
     const auto pressure = file_.quantity(form["pressure"], QuantityKind::pressure);
     const JsonValue on = file_.required(form, "area", {lang::loads::the_area_on_which_it_presses});
     if (!on || !pressure) return std::nullopt;
-    return *pressure * file_.not_negative(on, QuantityKind::area, {lang::loads::an_area});
+    return *pressure * file_.not_negative(on, QuantityKind::area, {lang::common::an_area});
 }
 
 void LoadsSection::read_spring(JsonValue value) {

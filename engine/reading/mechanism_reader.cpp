@@ -15,6 +15,7 @@
 #include "engine/reading/exercise_reader.hpp"
 #include "engine/reading/problem_sections.hpp"
 #include "engine/reading/sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/mechanism.hpp"
 
 namespace kinegraph {
@@ -84,9 +85,9 @@ private:
     }
 
     void read_head(const Members& file) {
-        const JsonValue version = required(file, "kinegraph", {lang::mechanism::write_kinegraph_1_the_version});
+        const JsonValue version = required(file, "kinegraph", {lang::common::write_the_version});
         if (version) read_version(version);
-        if (file["$schema"]) expect(file["$schema"], Kind::string, {lang::mechanism::a_text});
+        if (file["$schema"]) expect(file["$schema"], Kind::string, {lang::common::a_text});
         if (file["title"]) mechanism_.title = words(file["title"]);
         units_.read_units(file["units"]);
         read_parameters(file["parameters"], set_);
@@ -120,7 +121,7 @@ private:
         loads_.read_masses(file["masses"]);
         mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {lang::mechanism::a_vector_gx_gy});
         if (const JsonValue inertia = file["inertia forces"];
-            inertia && expect(inertia, Kind::boolean, {lang::mechanism::true_or_false})) {
+            inertia && expect(inertia, Kind::boolean, {lang::common::true_or_false})) {
             mechanism_.inertia_forces = is_true(inertia);
         }
         each(file["loads"], {lang::mechanism::an_array_of_loads}, [&](JsonValue v) { loads_.read_load(v); });

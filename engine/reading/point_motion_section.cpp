@@ -7,6 +7,7 @@
 
 #include "engine/drawing/pose.hpp"
 #include "engine/file/expression.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/point_motion.hpp"
 
 namespace kinegraph {
@@ -106,19 +107,17 @@ void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
         CirclePath path;
         if (start) path.start = file_.quantity_or_zero(start, QuantityKind::angle);
         if (!file_.expect(kind, Kind::object, {lang::point_motion::centre_x_y_radius})) return;
-        const Members circle = file_.members(kind, {"centre", "radius"}, {lang::point_motion::a_circle});
-        path.centre =
-            file_.vector(circle["centre"], QuantityKind::length, {lang::point_motion::a_place_x_y}).value_or(Vector{});
-        path.radius = file_.positive(file_.required(circle, "radius", {lang::point_motion::the_circle_radius}),
-                                     QuantityKind::length, {lang::point_motion::a_radius});
+        const Members circle = file_.members(kind, {"centre", "radius"}, {lang::common::a_circle});
+        path.centre = file_.vector(circle["centre"], QuantityKind::length, {lang::common::a_place}).value_or(Vector{});
+        path.radius = file_.positive(file_.required(circle, "radius", {lang::common::the_radius_of_the_circle}),
+                                     QuantityKind::length, {lang::common::a_radius});
         problem.path = path;
     } else {
         if (start) file_.fault(start, {lang::point_motion::a_line_starts});
         if (!file_.expect(kind, Kind::object, {lang::point_motion::from_x_y_along_x})) return;
-        const Members line = file_.members(kind, {"from", "along"}, {lang::point_motion::a_line});
+        const Members line = file_.members(kind, {"from", "along"}, {lang::common::a_line});
         LinePath path;
-        path.from =
-            file_.vector(line["from"], QuantityKind::length, {lang::point_motion::a_place_x_y}).value_or(Vector{});
+        path.from = file_.vector(line["from"], QuantityKind::length, {lang::common::a_place}).value_or(Vector{});
         path.direction =
             own_direction(file_.required(line, "along", {lang::point_motion::its_direction_an_angle_or_dx}));
         problem.path = path;

@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/points.hpp"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ Placement PointsSection::meet(JsonValue value) {
         }
     }
     file_.one_of(form, {"near", "side"}, false);
-    meet.near = file_.vector(form["near"], QuantityKind::length, {lang::points::a_place_x_y});
+    meet.near = file_.vector(form["near"], QuantityKind::length, {lang::common::a_place});
     if (const JsonValue side = form["side"]) meet.side = side_of(side, meet);
     return meet;
 }
@@ -133,16 +134,16 @@ Meet::Side PointsSection::side_of(JsonValue value, const Meet& meet) {
 Curve PointsSection::curve(JsonValue value) {
     if (!file_.expect(value, Kind::object, {lang::points::a_curve_circle_or_line})) return CircleCurve{};
     if (value["circle"] || value["radius"]) {
-        const Members form = file_.members(value, {"circle", "radius"}, {lang::points::a_circle});
+        const Members form = file_.members(value, {"circle", "radius"}, {lang::common::a_circle});
         CircleCurve circle;
-        if (const JsonValue centre = file_.required(form, "circle", {lang::points::the_circle_centre}))
+        if (const JsonValue centre = file_.required(form, "circle", {lang::common::the_centre_of_the_circle}))
             circle.centre = file_.place(centre);
-        circle.radius = file_.positive(file_.required(form, "radius", {lang::points::the_circle_radius}),
-                                       QuantityKind::length, {lang::points::a_radius});
+        circle.radius = file_.positive(file_.required(form, "radius", {lang::common::the_radius_of_the_circle}),
+                                       QuantityKind::length, {lang::common::a_radius});
         return circle;
     }
     const Members form =
-        file_.members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, {lang::points::a_line});
+        file_.members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, {lang::common::a_line});
     LineCurve line;
     if (form.has_or_misspells("circle")) return line;
     if (const JsonValue through = file_.required(form, "line", {lang::points::a_point_on_the_line}))

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/drawing/pose.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/finite_positions.hpp"
 
 namespace kinegraph {
@@ -63,7 +64,7 @@ void PositionsSection::read_position(JsonValue value, PositionsProblem& problem)
                               {lang::finite_positions::a_position});
     PositionsProblem::Position position;
     position.where = value.pointer();
-    const Words place(lang::finite_positions::a_place_x_y);
+    const Words place(lang::common::a_place);
     position.places[0] =
         file_.vector(file_.required(form, problem.points[0], place), QuantityKind::length, place).value_or(Vector{});
     const JsonValue second =

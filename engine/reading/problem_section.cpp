@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/problems.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::shared_ptr<const Problem> ProblemSection::read(const Members& file) {
     }
     if (section.key() == "positions") {
         if (!file_.expect(section, Kind::array, {lang::problems::an_array_of_positions})) return nullptr;
-    } else if (!file_.expect(section, Kind::object, {lang::problems::an_object})) {
+    } else if (!file_.expect(section, Kind::object, {lang::common::an_object})) {
         return nullptr;
     }
     const auto shared = [](auto problem) -> std::shared_ptr<const Problem> {

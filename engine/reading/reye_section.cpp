@@ -1,4 +1,5 @@
 #include "engine/reading/problem_sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
             ? read_members({"inner", "outer", "surfaces", "omega"})
             : read_members({"radius", "width", "pivot", "arm", "from", "to", "inside", "sense", "omega"});
     problem.force = file_.positive(file_.required(form, "force", {lang::reye::the_force_that_presses}),
-                                   QuantityKind::force, {lang::reye::the_force});
+                                   QuantityKind::force, {lang::common::the_force});
     if (!slides) file_.required(form, "friction", {lang::reye::the_coefficient_of_friction_which_makes});
     if (const JsonValue friction = form["friction"]) {
         problem.friction = file_.bare_number(friction).value_or(Exact(1));
@@ -79,7 +80,7 @@ std::optional<ReyeProblem::Kind> ReyeSection::read_kind(JsonValue section) {
 
 void ReyeSection::read_pad(const Members& form, ReyeProblem& problem) {
     problem.length = file_.positive(file_.required(form, "length", {lang::reye::the_pad_length_along_the_sliding}),
-                                    QuantityKind::length, {lang::reye::the_length});
+                                    QuantityKind::length, {lang::common::the_length});
     problem.width = file_.positive(file_.required(form, "width", {lang::reye::the_pad_width}), QuantityKind::length,
                                    {lang::reye::the_width});
     if (problem.kind == ReyeProblem::Kind::block) return;
@@ -90,7 +91,7 @@ void ReyeSection::read_pad(const Members& form, ReyeProblem& problem) {
 }
 
 void ReyeSection::read_disc(const Members& form, ReyeProblem& problem) {
-    const Words radius(lang::reye::a_radius);
+    const Words radius(lang::common::a_radius);
     const JsonValue inner = file_.required(form, "inner", {lang::reye::the_inner_radius});
     problem.inner = file_.positive(inner, QuantityKind::length, radius);
     problem.outer =
@@ -108,9 +109,9 @@ void ReyeSection::read_disc(const Members& form, ReyeProblem& problem) {
 }
 
 void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
-    const Words length(lang::reye::a_length);
+    const Words length(lang::common::a_length);
     problem.radius = file_.positive(file_.required(form, "radius", {lang::reye::the_drum_radius}), QuantityKind::length,
-                                    {lang::reye::a_radius});
+                                    {lang::common::a_radius});
     problem.width =
         file_.positive(file_.required(form, "width", {lang::reye::the_shoe_width}), QuantityKind::length, length);
     const JsonValue pivot = file_.required(form, "pivot", {lang::reye::the_distance_of_the_pivot});
@@ -123,7 +124,7 @@ void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
     problem.to = file_.quantity_or_zero(to, QuantityKind::angle);
     if (to && form["from"] && (problem.from.sign() < 0 || problem.to <= problem.from || problem.to > pi()))
         file_.fault(to, {lang::reye::a_shoe_reaches_from_an_angle});
-    if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::reye::true_or_false})) {
+    if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::common::true_or_false})) {
         problem.inside = is_true(form["inside"]);
         if (problem.inside && pivot && problem.pivot >= problem.radius)
             file_.fault(pivot, {lang::reye::the_pivot_of_an_inner_shoe});

@@ -9,6 +9,7 @@
 
 #include "engine/file/scale_text.hpp"
 #include "engine/file/units.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/units.hpp"
 
 namespace kinegraph {
@@ -80,7 +81,7 @@ void UnitsSection::read_scales(JsonValue value) {
 }
 
 void UnitsSection::read_unit(JsonValue value, QuantityKind kind) {
-    if (!file_.expect(value, Kind::string, {lang::units::a_unit})) return;
+    if (!file_.expect(value, Kind::string, {lang::common::a_unit})) return;
     const KnownUnit* unit = unit_spelt(value.text());
     if (unit == nullptr) {
         file_.fault(value, unknown_unit_message(value.text(), kind));

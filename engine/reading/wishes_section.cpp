@@ -1,4 +1,5 @@
 #include "engine/reading/sections.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/wishes.hpp"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ void WishesSection::read_cuts() {
 }
 
 void WishesSection::read_solve(JsonValue value, RelativeMotionQuery& query) {
-    if (!value || !file_.expect(value, Kind::boolean, {lang::wishes::true_or_false})) return;
+    if (!value || !file_.expect(value, Kind::boolean, {lang::common::true_or_false})) return;
     query.solves = is_true(value);
     if (query.solves && query.translating_with != none)
         file_.fault(value, {lang::wishes::the_motion_is_solved_through});

@@ -14,6 +14,7 @@
 #include "engine/number/assert.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/exercises.hpp"
 #include "lang/keys/expressions.hpp"
 
@@ -161,7 +162,7 @@ private:
     }
     static Words apart(const ValueKind& a, const ValueKind& b) {
         if (a.is_vector != b.is_vector) return lang::expressions::a_vector_and_a_number;
-        return {lang::expressions::and_do_not_go_together, described(a.dimension), described(b.dimension)};
+        return {lang::common::do_not_go_together, described(a.dimension), described(b.dimension)};
     }
 
     Read sum(const Syntax& syntax) {

@@ -7,6 +7,7 @@
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/data.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
@@ -272,8 +273,8 @@ private:
 
     void add_load(const SpringLoad& spring) {
         const RichText symbol = symbol_of_force(spring.name, Symbol::Letter::F),
-                       first = called(spring.bodies[0], lang::sheet::frame, lang::data::bare_body),
-                       second = called(spring.bodies[1], lang::sheet::frame, lang::data::bare_body);
+                       first = called(spring.bodies[0], lang::common::frame, lang::data::bare_body),
+                       second = called(spring.bodies[1], lang::common::frame, lang::data::bare_body);
         if (spring.elastic)
             return say(lang::data::elastic_spring, {symbol, name(spring.between[0]), name(spring.between[1]),
                                                     amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/data.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -92,7 +93,7 @@ RichText ExercisePhrases::direction(const Bearing& of) const {
 
 std::string ExercisePhrases::listed(BodyIndex body) const {
     if (const std::string* bar = name_of_bar(solution_, body)) return *bar;
-    return body == frame ? word(lang::sheet::frame, language()) : mechanism_.body(body).name;
+    return body == frame ? word(lang::common::frame, language()) : mechanism_.body(body).name;
 }
 
 RichText ExercisePhrases::subject(BodyIndex body) const {

@@ -15,6 +15,7 @@
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
@@ -300,8 +301,8 @@ AskedText asked_text(const DrawingContext& context, const Column& column) { retu
 std::string heading_of(Topic section, Language language) {
     switch (section) {
         case Topic::centres: return word(lang::sheet::instant_centres, language);
-        case Topic::velocity: return word(lang::sheet::velocities, language);
-        case Topic::acceleration: return word(lang::sheet::accelerations, language);
+        case Topic::velocity: return word(lang::common::velocities, language);
+        case Topic::acceleration: return word(lang::common::accelerations, language);
         case Topic::relative_motion: return word(lang::sheet::relative_motion, language);
         case Topic::curvature: return word(lang::sheet::curvature, language);
         case Topic::forces:

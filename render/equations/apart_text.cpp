@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "lang/keys/notation.hpp"
 #include "render/text/formula.hpp"
@@ -98,7 +99,7 @@ private:
         say(Words(lang::equations::the_transport_of_the_motion, point(), body(), origin()));
         std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::term})), upright(""),
                                                 upright("(x" + in({lang::notation::semicolon}) + "y)"),
-                                                upright(in({lang::equations::magnitude}))}};
+                                                upright(in({lang::common::magnitude}))}};
         const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
         const auto a = [&](const std::string& sub) { return Formula::letter("a", sub); };
         const Formula square = Formula::power(Formula::letter("omega", body()), upright("2"));

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 
 namespace kinegraph::render::closure {
 
 void DrawnRates::write_values() {
-    std::vector<std::vector<Formula>> rows{{Formula::upright(pen_.in({lang::equations::quantity})),
+    std::vector<std::vector<Formula>> rows{{Formula::upright(pen_.in({lang::common::quantity})),
                                             Formula::upright(pen_.in({lang::equations::equations})),
                                             Formula::upright(pen_.in({lang::equations::polygon}))}};
     for (const int dots : {1, 2})

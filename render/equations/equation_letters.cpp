@@ -1,3 +1,4 @@
+#include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "render/equations/equation_chapters.hpp"
 
@@ -12,9 +13,9 @@ namespace kinegraph::render::closure {
 void LettersTable::write_letters() {
     list_.heading({lang::equations::closure_equations});
     std::vector<std::vector<Formula>> rows{
-        {Formula::upright(pen_.in({lang::equations::quantity})), Formula::upright(pen_.in({lang::equations::what})),
-         Formula::upright(pen_.in({lang::equations::value})), Formula::upright(pen_.in({lang::equations::kind}))}};
-    const std::array<Words, 3> kinds{Words(lang::equations::given), Words(lang::equations::free_driven),
+        {Formula::upright(pen_.in({lang::common::quantity})), Formula::upright(pen_.in({lang::equations::what})),
+         Formula::upright(pen_.in({lang::common::value})), Formula::upright(pen_.in({lang::equations::kind}))}};
+    const std::array<Words, 3> kinds{Words(lang::common::given), Words(lang::equations::free_driven),
                                      Words(lang::equations::dependent)};
     for (const auto role : {Letter::Role::given, Letter::Role::free, Letter::Role::dependent})
         for (std::size_t i = 0; i < e_.letters.size(); ++i) {

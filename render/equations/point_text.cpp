@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/expression_formula.hpp"
@@ -117,7 +118,7 @@ protected:
     Words time(const Exact& si) const { return amount(si.to_double(), QuantityKind::time, mechanism_.units, as_given); }
     Words place_words(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
-        return bound(Words(lang::equations::place_with_unit, numeral(v.x.to_double() / si, 5),
+        return bound(Words(lang::common::place_with_unit, numeral(v.x.to_double() / si, 5),
                            numeral(v.y.to_double() / si, 5), mechanism_.units.length.symbol));
     }
     std::string place(const Vector& v) const { return unbound(in(place_words(v), language_)); }
@@ -133,7 +134,7 @@ public:
     PointText(const Solution& solution, Language language) : PointPhrases(solution, language) {}
 
     PointSection given() const {
-        PointSection section{"given", {lang::equations::heading_given}, {}, {}};
+        PointSection section{"given", {lang::common::heading_given}, {}, {}};
         section.sentences.emplace_back(sentence_of_form());
         for (std::size_t i = 0; i < problem_.laws.size(); ++i)
             add(section, equation(law_letter(i, 0),
@@ -207,7 +208,7 @@ public:
     }
 
     PointSection hodograph() const {
-        PointSection section{"hodograph", {lang::equations::hodograph}, {}, {}};
+        PointSection section{"hodograph", {lang::common::hodograph}, {}, {}};
         section.sentences.emplace_back(lang::equations::the_velocities_drawn_from_one_origin);
         return section;
     }

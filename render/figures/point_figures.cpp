@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/point_motion.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
@@ -240,8 +241,7 @@ public:
         Box extent = box_of_places(spots);
         if (size_of(extent) == 0) extent.include(Spot{1, 0});
         const double scale = choose_scale(extent.width(), extent.height(), room_.x - 34, room_.y - 24, std::nullopt);
-        figure_ =
-            begun("velocity", "hodograph", {lang::point_motion::hodograph}, scale, unit.symbol, context_.language);
+        figure_ = begun("velocity", "hodograph", {lang::common::hodograph}, scale, unit.symbol, context_.language);
         std::vector<Spot> curve;
         for (const auto& each : found_.course) curve.push_back(spot_of(each.velocity, si * scale));
         figure_.marks.emplace_back(GroupBegin{"curve", "hodograph-path", "v", {{"data-name", "v"}}, none});

@@ -12,6 +12,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
@@ -473,7 +474,7 @@ private:
             return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
         };
         return element("table", "class=\"equation\"",
-                       row("", terms) + row(word(lang::sheet::magnitude, language), magnitudes) +
+                       row("", terms) + row(word(lang::common::magnitude, language), magnitudes) +
                            row(word(lang::sheet::direction, language), directions));
     }
 

@@ -9,6 +9,7 @@
 
 #include "engine/file/json_source.hpp"
 #include "engine/file/units.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/themes.hpp"
 
 namespace kinegraph::render {
@@ -69,7 +70,7 @@ Words remedy(std::string_view word, const Names& names, const Words& all) {
             best = name;
         }
     return best.empty() ? Words(lang::themes::are_the_others, all, listed(names))
-                        : Words(lang::themes::did_you_mean, quoted(best));
+                        : Words(lang::common::did_you_mean, quoted(best));
 }
 
 class ThemeReader {

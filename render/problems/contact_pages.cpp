@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/contacts.hpp"
 #include "render/problems/problem_sheet.hpp"
 
@@ -19,11 +20,11 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
     for (const BodyIndex body : indices_of(result.mechanism.bodies)) {
         Words& label = result.mechanism.bodies[at_index(body)].label;
         if (!label.empty()) continue;
-        label = body == frame ? Words(lang::contacts::frame)
+        label = body == frame ? Words(lang::common::frame)
                               : Words(lang::contacts::body, solution.mechanism.body(body).name);
     }
     ProblemSolution found = *contact.found;
-    found.subject = Words(lang::contacts::contact_at_2, solution.mechanism.joint(contact.joint).name);
+    found.subject = Words(lang::common::contact_at, solution.mechanism.joint(contact.joint).name);
     result.problem = std::make_shared<const ProblemSolution>(std::move(found));
     return result;
 }

@@ -5,6 +5,7 @@
 
 #include "engine/check/check_problems.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 #include "lang/keys/notation.hpp"
 #include "render/figures/problem_figures.hpp"
@@ -22,8 +23,8 @@ public:
           found_(std::get<HertzSolution>(context.solution.problem->of)) {}
 
     Words heading() const {
-        if (!problem_.at) return {lang::hertz::given};
-        return {lang::hertz::contact_at, problem_.at->joint};
+        if (!problem_.at) return {lang::common::heading_given};
+        return {lang::common::contact_at, problem_.at->joint};
     }
     std::vector<Words> given() const {
         std::vector<Words> said;
@@ -186,7 +187,7 @@ std::vector<ProblemSection> hertz_sections(const DrawingContext& context) {
              {lang::hertz::stresses_below_the_surface},
              {figure("stresses", hertz_stress_figure, 0.9)},
              text.stresses()},
-            {"hypotheses", {lang::hertz::hypotheses}, {}, HertzText::hypotheses()}};
+            {"hypotheses", {lang::common::heading_hypotheses}, {}, HertzText::hypotheses()}};
 }
 
 }  // namespace kinegraph::render

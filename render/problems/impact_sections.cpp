@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/impact.hpp"
 #include "lang/keys/notation.hpp"
 #include "render/figures/problem_figures.hpp"
@@ -179,7 +180,7 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
     };
     std::vector<ProblemFigure> routh;
     if (has_routh_figure(context)) routh.push_back(figure("routh", impact_routh_figure, 0.8));
-    return {{"given", {lang::impact::given}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
+    return {{"given", {lang::common::heading_given}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
             {"impulse", {lang::impact::impulses_and_velocities}, {}, text.equations()},
             {"phases", {lang::impact::course_of_the_impact}, routh, text.phases()},
             {"velocities",
@@ -190,7 +191,7 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
              {lang::impact::restitution_and_energy},
              {figure("restitution", impact_restitution_figure, 0.7)},
              text.restitution()},
-            {"hypotheses", {lang::impact::hypotheses}, {}, {{lang::impact::the_impact_takes_no_time_places}}}};
+            {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::impact::the_impact_takes_no_time_places}}}};
 }
 
 }  // namespace kinegraph::render

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/point_motion.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -34,7 +35,7 @@ std::vector<ProblemSection> point_sections(const DrawingContext& context) {
         sections.push_back(std::move(section));
     }
     sections.push_back(
-        {"hypotheses", {lang::point_motion::hypotheses}, {}, {{lang::point_motion::the_axes_are_fixed_derivatives}}});
+        {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::point_motion::the_axes_are_fixed_derivatives}}});
     return sections;
 }
 

@@ -1,5 +1,6 @@
 // The worked solution of finite displacements: the positions, each displacement, the fixed pivots.
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/finite_positions.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -113,7 +114,7 @@ private:
     /// "(12, 5) mm". In Italian a semicolon separates coordinates, because the comma is the decimal sign.
     Words place(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
-        return bound(Words(lang::finite_positions::place_with_unit, numeral(v.x.to_double() / si, 5),
+        return bound(Words(lang::common::place_with_unit, numeral(v.x.to_double() / si, 5),
                            numeral(v.y.to_double() / si, 5), mechanism_.units.length.symbol));
     }
 
@@ -132,7 +133,7 @@ std::vector<ProblemSection> positions_sections(const DrawingContext& context) {
     std::vector<ProblemSection> sections;
     ProblemFigure all{"positions", [&context](double x, double y) { return positions_question_figure(context, x, y); },
                       0.7};
-    sections.push_back({"given", {lang::finite_positions::given}, {std::move(all)}, text.given()});
+    sections.push_back({"given", {lang::common::heading_given}, {std::move(all)}, text.given()});
     for (std::size_t i = 0; i < found.displacements.size(); ++i) {
         const Displacement& each = found.displacements[i];
         const std::string from = std::to_string(each.from + 1), to = std::to_string(each.to + 1);
@@ -149,7 +150,7 @@ std::vector<ProblemSection> positions_sections(const DrawingContext& context) {
         sections.push_back({"pivots", {lang::finite_positions::fixed_pivots}, {std::move(figure)}, text.pivots()});
     }
     sections.push_back(
-        {"hypotheses", {lang::finite_positions::hypotheses}, {}, {{lang::finite_positions::the_body_is_rigid_only}}});
+        {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::finite_positions::the_body_is_rigid_only}}});
     return sections;
 }
 

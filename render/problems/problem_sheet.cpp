@@ -6,6 +6,7 @@
 
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/problems.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
@@ -57,7 +58,7 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
 const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
 
 const Words& head_of(std::size_t column) {
-    static const std::array<Words, 4> heads{Words(lang::problems::quantity), Words(lang::problems::found),
+    static const std::array<Words, 4> heads{Words(lang::common::quantity), Words(lang::problems::found),
                                             Words(lang::problems::check), Words(lang::problems::difference)};
     return heads.at(column);
 }
@@ -175,7 +176,7 @@ protected:
     /// Symbol, name and value of the results asked for.
     std::vector<Item> answer_table(std::size_t section) const {
         std::vector<std::vector<Formula>> rows{{Formula(), Formula::upright(say(head_of(0))),
-                                                Formula::upright(word(lang::sheet::value, context_.language))}};
+                                                Formula::upright(word(lang::common::value, context_.language))}};
         const Units& units = context_.solution.mechanism.units;
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;

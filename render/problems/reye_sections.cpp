@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -158,11 +159,11 @@ std::vector<ProblemSection> reye_sections(const DrawingContext& context) {
     bodies.as_question = [&context](double x, double y) { return reye_question_figure(context, x, y); };
     std::vector<ProblemFigure> plots;
     if (found.torque) plots.push_back(figure("pressures", reye_pressure_figure, 0.8));
-    std::vector<ProblemSection> sections{{"given", {lang::reye::given}, {std::move(bodies)}, text.given()},
+    std::vector<ProblemSection> sections{{"given", {lang::common::heading_given}, {std::move(bodies)}, text.given()},
                                          {"hypothesis", {lang::reye::reye_hypothesis}, {}, text.hypothesis()},
                                          {"pressure", {lang::reye::equilibrium}, plots, text.equilibrium()}};
     if (found.worn) sections.push_back({"wear", {lang::reye::heading_depth_worn_off}, {}, text.wear()});
-    sections.push_back({"hypotheses", {lang::reye::hypotheses}, {}, {{lang::reye::the_bodies_are_rigid}}});
+    sections.push_back({"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::reye::the_bodies_are_rigid}}});
     return sections;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/sentences/result_catalogue.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/equations/prose.hpp"
@@ -38,7 +39,7 @@ public:
         y_ = 6.2;
         rule(block, theme_.outline);
         cells(block,
-              {one_piece(word(lang::sheet::quantity, context_.language)),
+              {one_piece(word(lang::common::quantity, context_.language)),
                one_piece(word(lang::sheet::least, context_.language)),
                one_piece(word(lang::sheet::at_the_position, context_.language)),
                one_piece(word(lang::sheet::greatest, context_.language)),

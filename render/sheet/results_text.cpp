@@ -7,6 +7,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
@@ -142,7 +143,7 @@ private:
             rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit),
                             length_of(quantity.kind, *vector, unit)});
         }
-        return table(word(velocity ? lang::sheet::velocities : lang::sheet::accelerations, language_), rows);
+        return table(word(velocity ? lang::common::velocities : lang::common::accelerations, language_), rows);
     }
 
     std::string sliding() const {
@@ -201,7 +202,7 @@ private:
         const bool couples = std::any_of(solution_.forces.begin(), solution_.forces.end(),
                                          [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
         std::vector<Cells> rows{
-            {word(lang::sheet::joint, language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
+            {word(lang::common::joint, language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
         if (couples) rows[0].push_back("M [" + moment.symbol + "]");
         const Quantity any_force{.kind = Kind::force};
         for (const JointForce& each : solution_.forces) {

@@ -14,6 +14,7 @@
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/sliding.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
@@ -321,7 +322,7 @@ private:
     }
     std::string head_word(std::size_t column) const {
         switch (column) {
-            case 1: return word(lang::sheet::value, context_.language);
+            case 1: return word(lang::common::value, context_.language);
             case 2: return tolerances_ ? "±" : "";
             case 3: return word(lang::sheet::unit, context_.language);
             case 4: return word(lang::sheet::direction, context_.language);

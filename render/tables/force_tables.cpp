@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
@@ -66,8 +67,8 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Language language = context.language;
     if (applied.kind == ForceKind::weight && applied.force.x.is_zero())
         return one_piece(word(lang::sheet::vertical, language));
-    if (is_load(applied.kind)) return one_piece(word(lang::sheet::given, language));
-    if (applied.joint == none) return one_piece(word(lang::sheet::given, language));
+    if (is_load(applied.kind)) return one_piece(word(lang::common::given, language));
+    if (applied.joint == none) return one_piece(word(lang::common::given, language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == ForceKind::effort) return one_piece("∥ " + word(lang::sheet::guide, language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word(lang::sheet::guide, language));
@@ -151,7 +152,7 @@ std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext
     return columns;
 }
 
-constexpr std::array<Key, 3> equation_rows{lang::sheet::magnitude, lang::sheet::direction, lang::sheet::line};
+constexpr std::array<Key, 3> equation_rows{lang::common::magnitude, lang::sheet::direction, lang::sheet::line};
 
 /// The equation F_g + F_01 + F_21 = 0, with rows of known and sought properties below it.
 class ForceEquation {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
@@ -124,7 +125,7 @@ private:
 
     void add_head() {
         const Language language = context_.language;
-        head_ = {{shape("", theme_.small), shape(word(lang::sheet::magnitude, language), theme_.small), {}, {}},
+        head_ = {{shape("", theme_.small), shape(word(lang::common::magnitude, language), theme_.small), {}, {}},
                  theme_.secondary};
         RichText arm = one_piece(word(lang::sheet::lever_arm, language) + " ");
         append(arm, one_piece("h", Face::italic));

@@ -7,6 +7,7 @@
 
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/pairs.hpp"
 #include "lang/keys/sheet.hpp"
@@ -216,7 +217,7 @@ std::string multiple_hinge_line(const Joint& joint, const std::vector<std::strin
 void write_pairs(Writer& page, const Mechanism& mechanism, Language language) {
     const auto say_word = [&](Key key) { return word(key, language); };
     page.heading(say_word(lang::sheet::pairs));
-    std::vector<Cells> rows{{say_word(lang::sheet::joint), say_word(lang::sheet::kind_of_pair),
+    std::vector<Cells> rows{{say_word(lang::common::joint), say_word(lang::sheet::kind_of_pair),
                              say_word(lang::sheet::bodies_of_a_pair), say_word(lang::sheet::class_word)}};
     std::vector<std::string> multiple;
     for (const Joint& joint : mechanism.joints) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/number/index.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/polygon_scene.hpp"
@@ -71,8 +72,8 @@ private:
     std::string name_of_frame() const {
         const std::string& name = name_of(frame);
         const bool says_so = std::any_of(languages.begin(), languages.end(),
-                                         [&](Language each) { return name == word(lang::sheet::frame, each); });
-        return says_so ? name : name + " " + word_for(lang::sheet::frame);
+                                         [&](Language each) { return name == word(lang::common::frame, each); });
+        return says_so ? name : name + " " + word_for(lang::common::frame);
     }
     RichText symbol_of(const AppliedForce& applied) const {
         return typeset(applied.force.is_zero() ? couple_symbol(applied) : applied.symbol, context_.language);

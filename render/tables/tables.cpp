@@ -12,6 +12,7 @@
 #include "engine/number/assert.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
@@ -124,7 +125,7 @@ public:
                     column.width = std::max(column.width, line.width + setting.gap);
                 columns_.push_back(std::move(column));
             }
-        std::vector<std::string> names{word(lang::sheet::magnitude, context.language),
+        std::vector<std::string> names{word(lang::common::magnitude, context.language),
                                        word(lang::sheet::direction, context.language)};
         if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.lines.empty(); }))
             names.push_back(word(lang::sheet::line, context.language));
