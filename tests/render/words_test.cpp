@@ -105,8 +105,11 @@ std::vector<std::string> unspaced_marks(const std::string& text) {
 TEST(Words, OfFrenchHaveASpaceBeforeAColonAndASemicolon) {
     EXPECT_EQ(unspaced_marks("a\u00A0: b; c").size(), 1U);
     for (const lang::Section* section : lang::all_sections())
-        for (std::size_t i = 0; i < section->size(); ++i)
-            EXPECT_EQ(unspaced_marks(section->text(i, Language::fr)), std::vector<std::string>()) << section->name(i);
+        for (std::size_t i = 0; i < section->size(); ++i) {
+            const std::string& text = section->text(i, Language::fr);
+            EXPECT_EQ(unspaced_marks(text), std::vector<std::string>()) << section->name(i);
+            for (const char* mark : {" :", " ;"}) EXPECT_EQ(text.find(mark), std::string::npos) << text;
+        }
     std::size_t colons = 0;
     for (const char* name : {"four_bar", "truss_simple", "planetary_train", "sluice_gate", "cam_from_law",
                              "contact/roller_in_ring", "contact/rod_hit_off_centre", "motion/projectile"}) {
