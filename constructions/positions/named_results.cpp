@@ -217,8 +217,10 @@ namespace {
 
 std::vector<Column> columns_of(const std::vector<NamedResult>& results) {
     std::vector<Column> columns;
-    for (const NamedResult& each : results)
-        if (each.unit.empty()) columns.push_back(each.column);
+    for (const NamedResult& each : results) {
+        columns.push_back(each.column);
+        columns.back().si_unit = each.unit;
+    }
     return columns;
 }
 
@@ -236,13 +238,13 @@ tl::expected<NamedResult, Words> result_of_expression(std::string_view text, con
 
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
     std::vector<NamedResult> results = named_results(solution);
-    const auto is_it = [](const std::string& name) { return name == transmission_angle_name; };
+    const auto is_it = [](const std::string& name) { return name.find(transmission_angle_name) != std::string::npos; };
     const bool wanted = std::any_of(exercise.ask.begin(), exercise.ask.end(),
                                     [&](const AskedResult& each) { return is_it(each.name); }) ||
                         std::any_of(exercise.require.begin(), exercise.require.end(), [&](const Condition& each) {
                             return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
                         });
-    if (wanted)
+    if (wanted || std::any_of(exercise.expressions.begin(), exercise.expressions.end(), is_it))
         if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
     std::vector<NamedResult> expressions;
     for (const std::string& text : exercise.expressions)

@@ -94,7 +94,9 @@ const Column* ExerciseReader::result_named(std::string_view name) const {
 tl::expected<Column, Words> ExerciseReader::add_expression(std::string_view text, Exercise& exercise) {
     Column column{Column::Kind::named, {}, std::string(named_expression(text).name), QuantityKind::dimensionless};
     if (knows_results_) {
-        const auto read = ResultExpression::read(text, results_);
+        std::vector<Column> known = results_;
+        known.push_back(*result_named(transmission_angle_name));
+        const auto read = ResultExpression::read(text, known);
         if (!read) return tl::make_unexpected(read.error());
         column = read->column();
     }

@@ -48,6 +48,27 @@ Dimension product_of(const Dimension& a, const Dimension& b, int power) {
     return {a.length + power * b.length, a.mass + power * b.mass, a.time + power * b.time, a.angle + power * b.angle};
 }
 
+/// Of a unit that has no kind, such as "N s" or "J".
+Dimension dimension_of_unit(std::string_view unit) {
+    Dimension whole;
+    while (!unit.empty()) {
+        const std::size_t end = std::min(unit.find(' '), unit.size());
+        const std::string_view factor = unit.substr(0, end);
+        unit.remove_prefix(std::min(end + 1, unit.size()));
+        if (factor == "J") {
+            whole = product_of(whole, kinegraph::dimension_of(QuantityKind::moment), 1);
+            continue;
+        }
+        const auto measured = read_measured("1 " + std::string(factor), {});
+        KG_ASSERT(measured.has_value(), "units of results are made of those of files");
+        whole = product_of(whole, measured->dimension, 1);
+    }
+    return whole;
+}
+Dimension dimension_of(const Column& column) {
+    return column.si_unit.empty() ? kinegraph::dimension_of(column.unit) : dimension_of_unit(column.si_unit);
+}
+
 /// Makes the tree and checks its dimensions.
 class ExpressionReader {
 public:
@@ -124,13 +145,13 @@ private:
         const auto scalar = std::find_if(known_.begin(), known_.end(), is_called);
         if (scalar != known_.end() && !is_vector(*scalar))
             return Typed{Node{.kind = Node::Kind::scalar, .x = part(*scalar)},
-                         ValueKind{.dimension = dimension_of(scalar->unit)}};
+                         ValueKind{.dimension = dimension_of(*scalar)}};
         std::vector<const Column*> components;
         for (const Column& column : known_)
             if (vector_of_component(column) == name) components.push_back(&column);
         if (components.size() == 2)
             return Typed{Node{.kind = Node::Kind::vector, .x = part(*components[0]), .y = part(*components[1])},
-                         ValueKind{.is_vector = true, .dimension = dimension_of(components[0]->unit)}};
+                         ValueKind{.is_vector = true, .dimension = kinegraph::dimension_of(components[0]->unit)}};
         Speller speller;
         return refused(
             {lang::exercises::no_result_is_named_names, quoted(name),
@@ -465,7 +486,9 @@ std::optional<ResultExpression> expression_called(std::string_view name, const M
     if (!mechanism.exercise) return std::nullopt;
     for (const std::string& text : mechanism.exercise->expressions) {
         if (named_expression(text).name != name) continue;
-        if (auto read = ResultExpression::read(text, possible_results(mechanism))) return *std::move(read);
+        std::vector<Column> known = possible_results(mechanism);
+        known.push_back({Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle});
+        if (auto read = ResultExpression::read(text, known)) return *std::move(read);
     }
     return std::nullopt;
 }

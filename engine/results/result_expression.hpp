@@ -24,9 +24,10 @@ struct ValueWithin {
 
 class ResultExpression {
 public:
-    /// `known`: the columns of a sweep or of a position; a vector is known by its components: "v B" by "vx B" and "vy
-    /// B". A name that contains a sign of the grammar stands between single quotes. Errors, in words that quote the
-    /// place: syntax, unknown names, dimensions that do not go together, a value that is a vector.
+    /// `known`: the columns of a sweep or of a position, with their SI units where they have no kind; a vector is known
+    /// by its components: "v B" by "vx B" and "vy B". A name that contains a sign of the grammar stands between single
+    /// quotes. Errors, in words that quote the place: syntax, unknown names, dimensions that do not go together, a
+    /// value that is a vector.
     static tl::expected<ResultExpression, Words> read(std::string_view text, std::span<const Column> known);
 
     /// Its own name, or its text, of the kind Column::Kind::named.

@@ -135,6 +135,8 @@ private:
             const Words& spoken = each.spoken.empty() ? each.name : each.spoken;
             text.words = one_piece(in(spoken, language()));
         }
+        // An expression of such values.
+        if (text.words.empty()) text.symbol = text.words = plain_words(column.name);
         return text;
     }
 

@@ -98,7 +98,7 @@ private:
             append(inner, printed(part));
         }
         if (node.text == "abs") return in_brackets("|", inner, "|");
-        return in_brackets(node.text + "(", inner, ")");
+        return in_brackets((node.text == "sqrt" ? "√" : node.text) + "(", inner, ")");
     }
 
     const ResultExpression& expression_;

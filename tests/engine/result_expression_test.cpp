@@ -196,9 +196,13 @@ TEST(ResultExpressions, AThousandRandomOnesHaveTheirValuesAndBounds) {
         ++held;
         // Rounding of the parts by some units of their last place, as in both computations.
         const auto rounded = value_of(*read, all, 1e-14);
-        if (rounded) EXPECT_NEAR(exact->value, expected, rounded->error) << made.text;
+        if (rounded) {
+            EXPECT_NEAR(exact->value, expected, rounded->error) << made.text;
+        }
         const auto kind = kind_of(made.dimension);
-        if (kind) EXPECT_EQ(read->column().unit, *kind) << made.text;
+        if (kind) {
+            EXPECT_EQ(read->column().unit, *kind) << made.text;
+        }
         constexpr double share = 1e-6;
         const auto within = value_of(*read, all, share);
         if (!within) continue;
@@ -274,6 +278,28 @@ TEST(ResultExpressions, AreAskedForAndRequired) {
                 1e-12);
     const auto checked = MechanismFile::parse(text, "four_bar.json");
     ASSERT_TRUE(checked);
+}
+
+TEST(ResultExpressions, OfAProblemAreMadeOfItsValues) {
+    const auto all = named_results(tests::example("variants/impact"));
+    const NamedResult* const energy = result_named(all, "energy lost");
+    const NamedResult* const impulse = result_named(all, "impulse x");
+    ASSERT_TRUE(energy != nullptr && impulse != nullptr);
+    ASSERT_NE(impulse->value, 0);
+    const auto quotient = result_of_expression("energy lost / impulse x", all);
+    ASSERT_TRUE(quotient);
+    EXPECT_EQ(quotient->column.unit, QuantityKind::velocity) << "J/(N s) is m/s";
+    EXPECT_DOUBLE_EQ(quotient->value, energy->value / impulse->value);
+}
+
+TEST(ResultExpressions, MayContainTheTransmissionAngle) {
+    std::string text = four_bar;
+    text.replace(text.find("\"points\""), 8, R"("ask": ["rest = 90° - transmission angle"], "points")");
+    const auto asked = asked_results(tests::solved(text));
+    ASSERT_TRUE(asked);
+    ASSERT_EQ(asked->size(), 1U);
+    // γ ≥ 45.57° over the cycle (as a sweep says).
+    EXPECT_NEAR(asked->front().value * 180 / std::acos(-1.0), 90 - 45.57, 0.01);
 }
 
 TEST(ResultExpressions, HaveAPoleWhereTheirDivisorVanishes) {
