@@ -11,6 +11,7 @@
 #include "app/library/row_text.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
+#include "constructions/positions/expression_columns.hpp"
 #include "constructions/positions/followed_columns.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
@@ -242,13 +243,11 @@ private:
         }
         last_ = row;
         hold_against_check(*solution, row);
-        for (const ResultExpression& expression : expressions_) {
-            std::vector<ValueWithin> parts;
-            for (const Column& part : expression.parts()) parts.push_back({row[index_of(part)], 0});
-            const auto found = expression.value(parts);
-            if (!found) return std::nullopt;
-            row.push_back(found->value);
-        }
+        row.resize(table.columns.size());
+        std::vector<double> noise(row.size());
+        expressions_.fill(row, noise);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (expressions_.is_undetermined(i)) return std::nullopt;
         return row;
     }
     void choose_columns(const std::vector<NamedResult>& results) {
@@ -256,9 +255,7 @@ private:
         for (const NamedResult& each : results) table.columns.push_back(each.column);
         const std::size_t own = table.columns.size();
         const auto add = [this](const ResultExpression& expression) {
-            expressions_.push_back(expression);
-            table.columns.push_back(expression.column());
-            return table.columns.size() - 1;
+            return expressions_.add(expression, table.columns);
         };
         if (const auto chosen = choose_shown(options_.columns, own, add, options_.dashes); !chosen)
             wrong_columns_ = chosen.error();
@@ -268,11 +265,6 @@ private:
         else if (!wrong_columns_)
             wrong_columns_ = columns.error();
     }
-    std::size_t index_of(const Column& column) const {
-        const auto is_it = [&](const Column& other) { return other.name == column.name; };
-        return static_cast<std::size_t>(std::find_if(table.columns.begin(), table.columns.end(), is_it) -
-                                        table.columns.begin());
-    }
     /// The same angle, within half a turn of the one before.
     static double beside(double angle, double before) {
         constexpr double turn = 2 * std::numbers::pi;
@@ -281,7 +273,7 @@ private:
 
     SourceFile file_;
     SweepOptions options_;
-    std::vector<ResultExpression> expressions_;  ///< their columns come last
+    ExpressionColumns expressions_;
     std::optional<Words> wrong_columns_;
     Variation values_;
     LargestDifference difference_;

@@ -55,11 +55,9 @@ tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& n
                                                             const std::string& option) {
     std::vector<std::size_t> found;
     for (const std::string& text : parted(names)) {
-        const auto has_name = [&](const Column& each) {
-            return each.name == text || each.name == named_expression(text).name;
-        };
-        const auto column = std::find_if(columns.begin(), columns.end(), has_name);
-        if (column != columns.end() && named_expression(text).name == named_expression(text).text) {
+        const auto is_it = [&](const Column& each) { return each.name == text || each.expression == text; };
+        const auto column = std::find_if(columns.begin(), columns.end(), is_it);
+        if (column != columns.end()) {
             found.push_back(static_cast<std::size_t>(column - columns.begin()));
             continue;
         }
@@ -68,7 +66,7 @@ tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& n
             found.push_back(add(*expression));
             continue;
         }
-        if (text.find_first_of("+-*/^()|\'=") != std::string::npos)
+        if (is_expression(text))
             return tl::unexpected(Words(lang::sweeps::option_says, option, quoted(text), expression.error()));
         std::vector<std::string_view> known;
         std::string list;

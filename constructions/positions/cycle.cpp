@@ -7,6 +7,7 @@
 
 #include "constructions/positions/driver_clock.hpp"
 #include "constructions/positions/effort_columns.hpp"
+#include "constructions/positions/expression_columns.hpp"
 #include "constructions/positions/followed_columns.hpp"
 #include "constructions/positions/givens_here.hpp"
 #include "constructions/positions/kept_records.hpp"
@@ -18,8 +19,8 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/repositioned.hpp"
-#include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/sliding.hpp"
 
 namespace kinegraph {
@@ -42,10 +43,7 @@ Find found_in_rows(const Mechanism& mechanism) {
     return find;
 }
 
-bool is_of_forces(const Column& column) {
-    const Kind kind = column.quantity.kind;
-    return kind == Kind::force || kind == Kind::couple || kind == Kind::effort;
-}
+bool is_of_forces(const Column& column) { return result_kind(column.quantity).is_of_forces(); }
 
 /// Irrational fractions of the travel, to avoid special positions.
 constexpr std::array sample_shares{0.381966, 0.618034, 0.236068, 0.854102};
@@ -113,8 +111,7 @@ public:
             empty_[i] = followed_.columns[i].is_pole(at, travelled_);
         if (std::find(empty_.begin(), empty_.end(), true) != empty_.end()) return row_on_pole(at);
         if (!find_values(at)) return std::nullopt;
-        for (const Derived& each : derived_) empty_[each.column] = !each.is_determined;
-        noise_ = noise_here();
+        for (std::size_t i = 0; i < empty_.size(); ++i) empty_[i] = expressions_.is_undetermined(i);
         if (is_checked_) {
             clock_.put_rates(check_.mechanism());
             check_.compare({columns_, values_, noise_, places_, positions_, has_forces_ || !efforts_.empty()});
@@ -156,16 +153,10 @@ public:
                 followed_.separations.push_back({contacts_[i].joint, from, to});
     }
     std::size_t add(const ResultExpression& expression) {
-        Derived derived{expression, columns_.size(), {}};
-        for (const Column& part : expression.parts())
-            for (std::size_t i = 0; i < columns_.size(); ++i)
-                if (columns_[i].name == part.name) derived.parts.push_back(i);
-        KG_ASSERT(derived.parts.size() == expression.parts().size(), "an expression is of the columns");
-        columns_.push_back(expression.column());
+        const std::size_t column = expressions_.add(expression, columns_);
         values_.resize(columns_.size());
         empty_.resize(columns_.size());
-        derived_.push_back(std::move(derived));
-        return columns_.size() - 1;
+        return column;
     }
     const FollowedCycle& followed() const { return followed_; }
     const std::vector<bool>& empty_cells() const { return empty_; }
@@ -217,27 +208,14 @@ private:
             if (!fill_from(solution)) return false;
             efforts_.take(solution);
         }
-        if (!efforts_.fill(values_, derived_.size())) return false;
-        fill_derived();
+        if (!efforts_.fill(values_, expressions_.size())) return false;
+        finish_row();
         return true;
     }
-    /// The values of the expressions, from those of the other columns.
-    void fill_derived() {
-        if (derived_.empty()) return;
-        const std::vector<double> noise = levels_.of_row(columns_, values_);
-        for (Derived& each : derived_) {
-            std::vector<ValueWithin> parts;
-            for (const std::size_t i : each.parts) parts.push_back({values_[i], noise[i]});
-            const auto value = each.expression.value(parts);
-            each.noise = value ? value->error : 0;
-            each.is_determined = value.has_value();
-            values_[each.column] = value ? value->value : 0;
-        }
-    }
-    std::vector<double> noise_here() const {
-        std::vector<double> noise = levels_.of_row(columns_, values_);
-        for (const Derived& each : derived_) noise[each.column] = each.noise;
-        return noise;
+    /// The noise of the row's values, and the expressions of them.
+    void finish_row() {
+        noise_ = levels_.of_row(columns_, values_);
+        expressions_.fill(values_, noise_);
     }
     /// What is noise of the arithmetic is zero.
     void silence() {
@@ -259,14 +237,11 @@ private:
         fill_from(planned_here());  // what is found without forces is exact here
         for (std::size_t i = 0; i < row.size(); ++i)
             if (empty_[i] || is_of_forces(columns_[i])) values_[i] = empty_[i] ? 0 : row[i];
-        fill_derived();
-        for (const Derived& each : derived_) {
-            const auto is_empty = [&](std::size_t part) { return empty_[part]; };
-            if (!each.is_determined || std::any_of(each.parts.begin(), each.parts.end(), is_empty))
-                empty_[each.column] = true;
-            if (empty_[each.column]) values_[each.column] = 0;
+        finish_row();
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            empty_[i] = empty_[i] || expressions_.is_undetermined(i) || expressions_.lacks_part(i, empty_);
+            if (empty_[i]) values_[i] = 0;
         }
-        noise_ = noise_here();
         silence();
         return values_;
     }
@@ -275,12 +250,9 @@ private:
     /// The watched columns, and after them the forces with which contacts push.
     std::optional<FollowedCurve::Values> values_at(double at, const std::vector<std::size_t>& watched) {
         if (!find_values(at)) return std::nullopt;
-        const auto lacks_value = [&](const Derived& each) {
-            return !each.is_determined && std::find(watched.begin(), watched.end(), each.column) != watched.end();
-        };
-        if (std::any_of(derived_.begin(), derived_.end(), lacks_value)) return std::nullopt;
+        const auto lacks_value = [&](std::size_t column) { return expressions_.is_undetermined(column); };
+        if (std::any_of(watched.begin(), watched.end(), lacks_value)) return std::nullopt;
         constexpr double grains = 0x1p7;  // in noise: near a limit velocities have lost some digits
-        noise_ = noise_here();
         const double noise_of_forces = levels_.of_forces(columns_, values_);
         silence();
         FollowedCurve::Values found;
@@ -296,13 +268,14 @@ private:
     }
     /// Those that are no expressions without a value anywhere, such as a quotient by what is always zero.
     std::vector<std::size_t> with_values(std::vector<std::size_t> columns, const Travel& travel) {
-        std::vector<bool> has_value(derived_.size());
-        for (const double share : sample_shares) {
-            if (derived_.empty() || !find_values(travel.at(share))) continue;
-            for (std::size_t i = 0; i < derived_.size(); ++i) has_value[i] = has_value[i] || derived_[i].is_determined;
-        }
-        for (std::size_t i = 0; i < derived_.size(); ++i)
-            if (!has_value[i]) std::erase(columns, derived_[i].column);
+        std::vector<std::size_t> without = columns;
+        for (const double share : sample_shares)
+            if (expressions_.size() > 0 && find_values(travel.at(share)))
+                std::erase_if(without, [&](std::size_t column) { return !expressions_.is_undetermined(column); });
+        if (expressions_.size() > 0)
+            std::erase_if(columns, [&](std::size_t column) {
+                return std::find(without.begin(), without.end(), column) != without.end();
+            });
         return columns;
     }
     std::vector<std::size_t> not_yet_followed(const std::vector<std::size_t>& whole) const {
@@ -373,7 +346,7 @@ private:
     /// `found(i)` is the vector or scalar for column i. False if one is missing or not finite.
     template <class Found>
     bool fill_each(Found found) {
-        for (std::size_t i = 0; i < columns_.size() - efforts_.size() - derived_.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size() - efforts_.size() - expressions_.size(); ++i) {
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
             if (!place && !result) return false;
@@ -421,14 +394,7 @@ private:
     FollowedCycle followed_;
     double travelled_ = 0;  ///< from end to end, when followed_ was found
     bool has_forces_ = false, is_checked_ = true;
-    struct Derived {
-        ResultExpression expression;
-        std::size_t column;
-        std::vector<std::size_t> parts;  ///< columns
-        double noise = 0;
-        bool is_determined = true;
-    };
-    std::vector<Derived> derived_;  ///< their columns come last
+    ExpressionColumns expressions_;
     KeptRecords records_;
     int planned_ = 0;
     RowCheck check_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
 
@@ -31,7 +32,7 @@ void EffortColumns::find_columns_of_masses(const Solution& solution, const std::
                    std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
         });
         MassColumns& columns = mass_columns_.emplace_back();
-        columns.alpha = column({.kind = Quantity::Kind::alpha, .body = mass.body});
+        columns.alpha = column(alpha_of(mass.body));
         if (centre == solution.points.end()) continue;
         columns.x = column(acceleration_of(*centre).along(Quantity::Component::x));
         columns.y = column(acceleration_of(*centre).along(Quantity::Component::y));

@@ -121,11 +121,9 @@ std::optional<NamedResult> transmission_result(const Solution& solution) {
     if (!travel) return std::nullopt;
     const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
     if (!found) return std::nullopt;
-    Quantity where;
-    where.body = found->driven;
-    where.other = found->coupler;
-    where.joint = found->pin;
-    return NamedResult{{Column::Kind::named, where, transmission_angle_name, QuantityKind::angle}, found->least};
+    NamedResult result{transmission_column(), found->least};
+    result.column.quantity = {.body = found->driven, .other = found->coupler, .joint = found->pin};
+    return result;
 }
 
 }  // namespace
@@ -246,11 +244,9 @@ std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& s
                         });
     if (wanted || std::any_of(exercise.expressions.begin(), exercise.expressions.end(), is_it))
         if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
-    std::vector<NamedResult> expressions;
     for (const std::string& text : exercise.expressions)
         if (result_named(results, text) == nullptr)
-            if (auto found = result_of_expression(text, results)) expressions.push_back(*std::move(found));
-    for (NamedResult& each : expressions) results.push_back(std::move(each));
+            if (auto found = result_of_expression(text, results)) results.push_back(*std::move(found));
     return results;
 }
 

@@ -13,8 +13,7 @@ bool is_effort(const Column& column) { return result_kind(column.quantity).subje
 /// The place of a column's scale among all: one for each unit; efforts, which may be far below the reactions, have
 /// their own behind these.
 std::size_t scale_of(const Column& column) {
-    constexpr auto units = static_cast<std::size_t>(QuantityKind::wear) + 1;
-    return is_effort(column) ? units : static_cast<std::size_t>(column.unit);
+    return is_effort(column) ? count_of_quantity_kinds : static_cast<std::size_t>(column.unit);
 }
 
 }  // namespace

@@ -229,8 +229,6 @@ private:
 
 // ----- dimensions
 
-Words described_as(const Dimension& dimension) { return described({.value = Exact(), .dimension = dimension}); }
-
 /// A radian is a number.
 Dimension without_angle(Dimension of) {
     of.angle = 0;
@@ -264,7 +262,7 @@ public:
                 Found argument = of(expression.parts[0]);
                 if (!argument || argument->is_a_number()) return argument;
                 return refused({lang::expressions::is_taken_of_a_number, name_of(expression.function),
-                                spelt(expression.parts[0]), described_as(*argument)});
+                                spelt(expression.parts[0]), described(*argument)});
             }
         }
         return Dimension{};
@@ -279,8 +277,8 @@ private:
             Found other = of(sum.parts[i]);
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
-            return refused({lang::expressions::is_and_is_they_do_not, spelt(sum.parts[0]), described_as(*first),
-                            spelt(sum.parts[i]), described_as(*other)});
+            return refused({lang::expressions::is_and_is_they_do_not, spelt(sum.parts[0]), described(*first),
+                            spelt(sum.parts[i]), described(*other)});
         }
         return first;
     }
@@ -290,13 +288,13 @@ private:
         if (!exponent) return exponent;
         if (!exponent->is_a_number())
             return refused(
-                {lang::expressions::an_exponent_must_be_a_bare, spelt(power.parts[1]), described_as(*exponent)});
+                {lang::expressions::an_exponent_must_be_a_bare, spelt(power.parts[1]), described(*exponent)});
         if (base->is_a_number()) return base;
         if (power.parts[1].kind != Kind::number)
-            return refused({lang::expressions::is_so_its_exponent_must, spelt(power.parts[0]), described_as(*base)});
+            return refused({lang::expressions::is_so_its_exponent_must, spelt(power.parts[0]), described(*base)});
         const mpq_class& to = power.parts[1].value.rational();
         if (const auto whole = power_of(*base, to.get_num().get_si(), to.get_den().get_si())) return *whole;
-        return refused({lang::expressions::no_quantity_is_that_root, spelt(power.parts[0]), described_as(*base)});
+        return refused({lang::expressions::no_quantity_is_that_root, spelt(power.parts[0]), described(*base)});
     }
 
     const NamedConstants& constants_;
@@ -353,7 +351,7 @@ tl::expected<Expressed, Words> read_expression(std::string_view text, const Expr
     const auto found = dimensions.of(*tree);
     if (!found) return refused(found.error());
     if (!law.is_bare && *found != plain_dimension(form.is))
-        return refused({lang::expressions::is_is_wanted_here, quoted(text), described_as(*found), with_article(form.is),
+        return refused({lang::expressions::is_is_wanted_here, quoted(text), described(*found), with_article(form.is),
                         form.of == QuantityKind::time ? Words(lang::expressions::is_a_time, form.variable)
                                                       : Words(lang::expressions::is_a_length, form.variable)});
     if (law.is_bare) {

@@ -535,6 +535,7 @@ Measured in_radians(Measured of) {
     return of;
 }
 
+Exact in_si(const Measured& value) { return in_radians(value).value; }
 Measured bare(Exact value) { return {.value = std::move(value), .dimension = {}, .is_bare = true}; }
 
 tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, QuantityKind kind, const KnownUnit& bare_unit) {

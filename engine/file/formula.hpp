@@ -74,6 +74,8 @@ Measured measured(const WrittenQuantity& written);
 Measured in_radians(Measured of);
 /// A bare number.
 Measured bare(Exact value);
+/// In SI units, angles in radians.
+Exact in_si(const Measured& value);
 
 /// As a quantity of a kind, to 2^-200 of its size where it contains a root or a sine; `bare_unit` is the unit of a bare
 /// number. Error: it is of another kind.

@@ -2,6 +2,7 @@
 // "120 rpm"). Independent of JSON and of the use of a quantity.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,8 @@ enum class QuantityKind {
     power,                ///< of a force or a couple
     wear,                 ///< volume worn off per unit of (friction work / coefficient): m³/(N m)
 };
+
+inline constexpr std::size_t count_of_quantity_kinds = static_cast<std::size_t>(QuantityKind::wear) + 1;
 
 /// "length", "angular velocity": the key in `units`.
 Words name_of(QuantityKind kind);

@@ -47,9 +47,6 @@ std::optional<std::pair<Sign, std::size_t>> sign_in(std::string_view text, std::
     return std::nullopt;
 }
 
-/// Whether a text that is no name of a result is read as an expression of results.
-bool is_expression_text(std::string_view text) { return text.find_first_of("+-*/^()|\'=") != std::string_view::npos; }
-
 /// By the sign of left − right.
 bool holds_by(Condition::Relation relation, int order) {
     switch (relation) {
@@ -83,7 +80,7 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
 }
 
 const Column* ExerciseReader::result_named(std::string_view name) const {
-    static const Column transmission{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle};
+    static const Column transmission = transmission_column();
     if (name == transmission.name) return &transmission;
     for (const std::vector<Column>* columns : {&results_, &expressions_})
         for (const Column& each : *columns)
@@ -95,7 +92,8 @@ tl::expected<Column, Words> ExerciseReader::add_expression(std::string_view text
     Column column{Column::Kind::named, {}, std::string(named_expression(text).name), QuantityKind::dimensionless};
     if (knows_results_) {
         std::vector<Column> known = results_;
-        known.push_back(*result_named(transmission_angle_name));
+        known.push_back(transmission_column());
+        known.insert(known.end(), expressions_.begin(), expressions_.end());
         const auto read = ResultExpression::read(text, known);
         if (!read) return tl::make_unexpected(read.error());
         column = read->column();
@@ -115,12 +113,12 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
     for (const JsonValue value : ask) {
         if (!expect(value, Kind::string, {lang::exercises::the_name_of_a_result_such})) continue;
         std::string_view name = value.text();
-        const bool is_expression = result_named(name) == nullptr && is_expression_text(name);
-        if (is_expression) name = named_expression(name).name;
+        const bool expresses = result_named(name) == nullptr && is_expression(name);
+        if (expresses) name = named_expression(name).name;
         if (std::any_of(exercise.ask.begin(), exercise.ask.end(),
                         [&](const AskedResult& each) { return each.name == name; }))
             fault(value, {lang::exercises::is_asked_for_twice_take, quoted(name)});
-        if (is_expression) {
+        if (expresses) {
             if (auto read = add_expression(value.text(), exercise); !read) fault(value, std::move(read.error()));
         } else if (knows_results_ && result_named(name) == nullptr) {
             std::vector<std::string_view> names{transmission_angle_name};
@@ -386,7 +384,7 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
     }
     // Already reported as the parameter's own fault; or undecidable, because the rest of the file is faulty.
     if (value.error().empty() || (!knows_results_ && !is_problem)) return std::nullopt;
-    if (is_expression_text(text)) {
+    if (is_expression(text)) {
         const auto read = add_expression(text, exercise);
         if (read) {
             side.result = read->name;

@@ -130,9 +130,7 @@ private:
         const std::string written =
             std::string(syntax.text) + (unit.empty() || unit == "°" ? "" : " ") + std::string(unit);
         if (!value) return refused(std::move(value.error()));
-        double number = value->value.to_double();
-        for (int i = 0; i < std::abs(value->dimension.angle); ++i)
-            number = value->dimension.angle > 0 ? number * std::numbers::pi / 180 : number * 180 / std::numbers::pi;
+        const double number = in_si(*value).to_double();
         return Typed{Node{.kind = Node::Kind::number, .number = number, .text = written},
                      ValueKind{.dimension = value->dimension}};
     }
@@ -476,6 +474,8 @@ std::optional<ValueWithin> ResultExpression::value(std::span<const ValueWithin> 
     return ValueWithin{found.x == 0 ? 0 : found.x, found.error_x};
 }
 
+bool is_expression(std::string_view text) { return text.find_first_of(signs_of_grammar) != std::string_view::npos; }
+
 NamedExpression named_expression(std::string_view text) {
     const std::size_t sign = text.find('=');
     if (sign == std::string_view::npos) return {without_blanks(text), without_blanks(text)};
@@ -483,12 +483,14 @@ NamedExpression named_expression(std::string_view text) {
 }
 
 std::optional<ResultExpression> expression_called(std::string_view name, const Mechanism& mechanism) {
-    if (!mechanism.exercise) return std::nullopt;
+    if (!mechanism.exercise || mechanism.exercise->expressions.empty()) return std::nullopt;
+    std::vector<Column> known = possible_results(mechanism);
+    known.push_back(transmission_column());
     for (const std::string& text : mechanism.exercise->expressions) {
-        if (named_expression(text).name != name) continue;
-        std::vector<Column> known = possible_results(mechanism);
-        known.push_back({Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle});
-        if (auto read = ResultExpression::read(text, known)) return *std::move(read);
+        auto read = ResultExpression::read(text, known);
+        if (!read) continue;
+        if (read->column().name == name) return *std::move(read);
+        known.push_back(read->column());
     }
     return std::nullopt;
 }

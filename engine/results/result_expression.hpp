@@ -67,6 +67,8 @@ private:
     std::vector<Column> parts_;
 };
 
+/// Whether a text that is no name of a result is meant as an expression: it contains a sign of the grammar.
+bool is_expression(std::string_view text);
 /// "ratio", "omega 4/omega 2" of "ratio = omega 4/omega 2"; without a name of its own, the text twice.
 struct NamedExpression {
     std::string_view name, text;

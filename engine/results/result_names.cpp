@@ -169,6 +169,8 @@ std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism)
     return Quantity{.kind = Kind::bar, .body = q.body};
 }
 
+Column transmission_column() { return {Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle}; }
+
 std::vector<Column> possible_results(const Mechanism& mechanism) { return Possible(mechanism).all(); }
 
 std::vector<Column> asked_columns(const Mechanism& mechanism) {

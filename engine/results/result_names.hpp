@@ -46,5 +46,6 @@ std::optional<std::array<PointIndex, 2>> line_of(const Body& body, const Pose& p
 /// The smallest angle between a coupler and the link it drives, over the whole travel of the first driver
 /// (Transmission).
 inline constexpr const char* transmission_angle_name = "transmission angle";
+Column transmission_column();
 
 }  // namespace kinegraph

@@ -39,7 +39,7 @@ private:
     void take_what_is_given();
     void tie_together(double size);
 
-    std::array<double, static_cast<std::size_t>(QuantityKind::wear) + 1> largest_{};
+    std::array<double, count_of_quantity_kinds> largest_{};
     const Mechanism& mechanism_;
     const Pose& pose_;
 };

@@ -34,9 +34,8 @@ struct SweepOptions {
     std::string to;    ///< the same; both empty: a full turn, or from limit to limit, or the whole law of a driver
     std::string step;  ///< from one value of the parameter to the next, as in a file; empty: equal steps
     long steps = 360;  ///< gives steps + 1 rows; at least 2, of a parameter at least 1
-    std::vector<std::string>
-        plots;            ///< columns of one unit in one plot, or expressions of them; empty: a default choice
-    std::string columns;  ///< which columns the rows show, beside the first: "v B,omega 4 / omega 2"
+    std::vector<std::string> plots;      ///< columns of one unit, or expressions of them; empty: a default choice
+    std::string columns;                 ///< which columns the rows show, beside the first: "v B,omega 4 / omega 2"
     std::vector<std::string> traces;     ///< paths to draw: of a point "P", or as seen from a body "P,on BODY"
     std::vector<std::string> centrodes;  ///< pairs of bodies, "1,3", whose centrodes are drawn and written as JSON
     int poses = 0;                       ///< number of positions drawn behind the mechanism

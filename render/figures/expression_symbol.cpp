@@ -18,31 +18,31 @@ public:
     ExpressionPrinter(const ResultExpression& expression, const Mechanism& mechanism, Language language)
         : expression_(expression), mechanism_(mechanism), language_(language) {}
 
-    RichText printed(const Node& node) const {
-        switch (node.kind) {
-            case Node::Kind::number: return one_piece(decimal_of(node.text));
-            case Node::Kind::scalar: return typeset(expression_.parts()[node.x], mechanism_, language_);
+    RichText printed(const Node& of) const {
+        switch (of.kind) {
+            case Node::Kind::number: return one_piece(decimal_of(of.text));
+            case Node::Kind::scalar: return typeset(expression_.parts()[of.x], mechanism_, language_);
             case Node::Kind::vector: {
-                const Column& x = expression_.parts()[node.x];
+                const Column& x = expression_.parts()[of.x];
                 return typeset(modulus_column(x.quantity, mechanism_, vector_of_component(x).substr(2)), mechanism_,
                                language_);
             }
-            case Node::Kind::sum: return sum(node);
-            case Node::Kind::product: return product(node);
-            case Node::Kind::power: return power(node);
+            case Node::Kind::sum: return sum(of);
+            case Node::Kind::product: return product(of);
+            case Node::Kind::power: return power(of);
             case Node::Kind::negative: {
                 RichText text = one_piece("−");
-                append(text, within(node.parts[0], Binding::product));
+                append(text, within(of.parts[0], Binding::product));
                 return text;
             }
-            case Node::Kind::function: return function(node);
+            case Node::Kind::function: return function(of);
         }
         KG_ASSERT(false, "a node is of one kind");
     }
 
 private:
-    static Binding binding_of(const Node& node) {
-        switch (node.kind) {
+    static Binding binding_of(const Node& of) {
+        switch (of.kind) {
             case Node::Kind::sum:
             case Node::Kind::negative: return Binding::sum;
             case Node::Kind::product: return Binding::product;
@@ -51,9 +51,9 @@ private:
         }
     }
     /// In brackets where it holds together less tightly.
-    RichText within(const Node& node, Binding least) const {
-        if (binding_of(node) >= least) return printed(node);
-        return in_brackets("(", printed(node), ")");
+    RichText within(const Node& of, Binding least) const {
+        if (binding_of(of) >= least) return printed(of);
+        return in_brackets("(", printed(of), ")");
     }
     static RichText in_brackets(const std::string& open, const RichText& text, const std::string& close) {
         RichText all = one_piece(open);
@@ -67,38 +67,38 @@ private:
         return text;
     }
 
-    RichText sum(const Node& node) const {
-        RichText text = printed(node.parts[0]);
-        for (std::size_t i = 1; i < node.parts.size(); ++i) {
-            append(text, std::string(node.is_inverse[i] ? " − " : " + "));
-            append(text, within(node.parts[i], Binding::product));
+    RichText sum(const Node& of) const {
+        RichText text = printed(of.parts[0]);
+        for (std::size_t i = 1; i < of.parts.size(); ++i) {
+            append(text, std::string(of.is_inverse[i] ? " − " : " + "));
+            append(text, within(of.parts[i], Binding::product));
         }
         return text;
     }
-    RichText product(const Node& node) const {
-        RichText text = within(node.parts[0], Binding::product);
-        for (std::size_t i = 1; i < node.parts.size(); ++i) {
-            append(text, std::string(node.is_inverse[i] ? "/" : " · "));
-            append(text, within(node.parts[i], node.is_inverse[i] ? Binding::power : Binding::product));
+    RichText product(const Node& of) const {
+        RichText text = within(of.parts[0], Binding::product);
+        for (std::size_t i = 1; i < of.parts.size(); ++i) {
+            append(text, std::string(of.is_inverse[i] ? "/" : " · "));
+            append(text, within(of.parts[i], of.is_inverse[i] ? Binding::power : Binding::product));
         }
         return text;
     }
-    RichText power(const Node& node) const {
-        RichText text = within(node.parts[0], Binding::single);
+    RichText power(const Node& of) const {
+        RichText text = within(of.parts[0], Binding::single);
         if (text.back().sup.empty())
-            text.back().sup = node.text;
+            text.back().sup = of.text;
         else
-            append(text, "^" + node.text);
+            append(text, "^" + of.text);
         return text;
     }
-    RichText function(const Node& node) const {
+    RichText function(const Node& of) const {
         RichText inner;
-        for (const Node& part : node.parts) {
+        for (const Node& part : of.parts) {
             if (!inner.empty()) append(inner, notation(language_).between_numbers + " ");
             append(inner, printed(part));
         }
-        if (node.text == "abs") return in_brackets("|", inner, "|");
-        return in_brackets((node.text == "sqrt" ? "√" : node.text) + "(", inner, ")");
+        if (of.text == "abs") return in_brackets("|", inner, "|");
+        return in_brackets((of.text == "sqrt" ? "√" : of.text) + "(", inner, ")");
     }
 
     const ResultExpression& expression_;

@@ -374,23 +374,9 @@ private:
 }  // namespace
 
 Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
-    const Units& units = mechanism.units;
-    switch (kind) {
-        case QuantityKind::length: return units.length;
-        case QuantityKind::angle: return {"°", kinegraph::pi() / 180};
-        case QuantityKind::angular_velocity: return units.angular_velocity;
-        case QuantityKind::angular_acceleration: return {"rad/s²", 1};
-        case QuantityKind::velocity: return units.velocity;
-        case QuantityKind::acceleration: return units.acceleration;
-        case QuantityKind::force: return units.force;
-        case QuantityKind::moment: return units.moment;
-        case QuantityKind::pressure: return units.pressure;
-        case QuantityKind::time: return {"s", 1};
-        case QuantityKind::power: return {"W", 1};
-        default: return {"", 1};
-    }
+    if (kind == QuantityKind::angle) return {"°", kinegraph::pi() / 180};
+    return unit_of(kind, mechanism.units);
 }
-
 Unit unit_of(const Column& column, const Mechanism& mechanism) {
     if (!column.si_unit.empty()) return {column.si_unit, 1};
     return unit_of(column.unit, mechanism);

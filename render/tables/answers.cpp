@@ -448,7 +448,11 @@ std::optional<double> tolerance_of_expression(const ResultExpression& expression
         const auto value = std::find_if(found.begin(), found.end(),
                                         [&](const RequestedResult& each) { return each.column.name == part.name; });
         if (value == found.end()) return std::nullopt;
-        parts.push_back({value->value, reading_tolerance(answers, drawn, part, value->value, mechanism)});
+        const auto made_of = expression_called(part.name, mechanism);
+        const auto off = made_of ? tolerance_of_expression(*made_of, answers, drawn, found, mechanism)
+                                 : reading_tolerance(answers, drawn, part, value->value, mechanism);
+        if (!off) return std::nullopt;
+        parts.push_back({value->value, *off});
     }
     const auto within = expression.value(parts);
     return within ? std::optional(within->error) : std::nullopt;

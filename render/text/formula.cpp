@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/utf8.hpp"
 
@@ -97,16 +98,8 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
             if (size >= 1e4 || size == 0) return {"MPa", 1000000};
             return units.pressure;
         case QuantityKind::angle: return {"°", pi() / 180};
-        case QuantityKind::angular_velocity: return units.angular_velocity;
-        case QuantityKind::velocity: return units.velocity;
-        case QuantityKind::acceleration: return units.acceleration;
-        case QuantityKind::mass: return units.mass;
-        case QuantityKind::force: return units.force;
-        case QuantityKind::moment: return units.moment;
-        case QuantityKind::inertia: return units.inertia;
-        case QuantityKind::time: return {"s", 1};
         case QuantityKind::wear: return {"mm³/(N m)", Exact::ratio(1, 1000000000)};
-        default: return {"", 1};
+        default: return unit_of(kind, units);
     }
 }
 
