@@ -80,7 +80,7 @@ public:
     }
 
     Read read(std::string_view text) {
-        const Grammar grammar{.name_length = [this](std::string_view rest) { return name_length(rest); },
+        const Grammar grammar{.name_length = [](std::string_view rest) { return name_length(rest); },
                               .has_quoted_names = true,
                               .has_bars = true};
         const Syntax syntax = read_syntax(text, grammar);
