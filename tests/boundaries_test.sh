@@ -1,6 +1,6 @@
 #!/bin/sh
-# Checks the dependencies of the folders: app → render → engine, app → constructions → engine, all → lang. Within each of them every
-# folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
+# Checks the dependencies of the folders: app → problems → render → engine, problems → constructions → engine, all → lang.
+# Within each of them every folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
 # numeric check only, cairo in its back end only; only the table of pairs and the check may name kinds of joints.
 #   boundaries_test.sh ROOT         prints every violation in the tree, one on each line; status 1 if there is one
 #   boundaries_test.sh --self-test  tests that each kind of violation is found
@@ -29,26 +29,27 @@ floor() {
 
 # Folders of the product that have no floor line.
 unordered() {
-    for folder in engine/* constructions/* render/* app/*; do
+    for folder in engine/* constructions/* render/* problems/* app/*; do
         [ -d "$folder" ] || continue
         case " $floors " in *" $folder "*) ;; *) printf '%s   <- has no place in the order of folders\n' "$folder" ;; esac
     done
-    find engine constructions -maxdepth 1 -name '*.[ch]pp' 2>/dev/null | breach "source files stand in a folder of their subject"
+    find engine constructions problems -maxdepth 1 -name '*.[ch]pp' 2>/dev/null | breach "source files stand in a folder of their subject"
 }
 
 check() {
     cd "$1" || return 2
-    folders="lang engine constructions render app include tests bench"
+    folders="lang engine constructions render problems app include tests bench"
     floors=
     # shellcheck disable=SC2086 # lists of words
     all=$(find $folders -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
         xargs -r grep -nHE '^[[:space:]]*#[[:space:]]*include')
     # shellcheck disable=SC2086 # lists of words
     found=$(
-        includes '["<](engine|constructions|render|app|tests|bench)/' lang | breach "texts know no part of the product"
-        includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other part"
-        includes '["<](render|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
-        includes '["<](app|tests|bench)/' render | breach "render knows nothing of app"
+        includes '["<](engine|constructions|render|problems|app|tests|bench)/' lang | breach "texts know no part of the product"
+        includes '["<](constructions|render|problems|app|tests|bench)/' engine | breach "engine knows no other part"
+        includes '["<](render|problems|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
+        includes '["<](problems|app|tests|bench)/' render | breach "render knows nothing of problems and app"
+        includes '["<](app|tests|bench)/' problems | breach "problems know nothing of app"
         includes '["<]constructions/' render | breach "render needs no construction"
         floor engine number
         floor engine file number
@@ -83,6 +84,11 @@ check() {
         floor render problems ink text page scene tables equations mechanism figures content
         floor render sheet ink text page scene tables equations mechanism figures content layout problems
         floor render live ink text page scene tables equations mechanism figures content layout problems sheet backends
+        floor problems hertz
+        floor problems reye
+        floor problems impact
+        floor problems point
+        floor problems positions
         floor app library
         floor app files
         floor app server files
@@ -90,17 +96,17 @@ check() {
         floor app commands files server late
         floor app modules late
         unordered
-        includes '["<](engine|constructions|render)/' app |
+        includes '["<](engine|constructions|render|problems)/' app |
             grep -E '^app/(main\.cpp|(commands|files|server)/[^:]*):' |
             breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
-        includes '"' $folders | grep -vE 'include[[:space:]]*"(lang|engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
+        includes '"' $folders | grep -vE 'include[[:space:]]*"(lang|engine|constructions|render|problems|app|kinegraph|tests|bench)/[a-z]' |
             breach "own headers are written from the root"
-        includes '["<]kinegraph/' engine constructions render |
-            breach "the public face stands above engine, constructions and render"
+        includes '["<]kinegraph/' engine constructions render problems |
+            breach "the public face stands above engine, constructions, render and problems"
         includes '["<]' include/kinegraph | grep -vE 'include[[:space:]]*<(kinegraph/[a-z]+\.hpp|tl/expected\.hpp|[a-z_]+)>' |
             breach "public headers include the standard library, tl/expected.hpp and each other"
-        includes '[<"](unsupported/)?Eigen/' $folders | grep -vE '^engine/check/[a-z_]*\.[ch]pp:' |
+        includes '[<"](unsupported/)?Eigen/' $folders | grep -vE '^(engine/check/[a-z_]*|problems/[a-z]*/check)\.[ch]pp:' |
             breach "Eigen is the numeric check's"
         includes '["<]engine/check/' engine | grep -vE '^engine/check/' | breach "the check is no source of results"
         includes '[<"](cairo/)?cairo' $folders | grep -v '^render/backends/cairo_backend\.cpp:' |
@@ -117,7 +123,7 @@ check() {
             breach "libzip is render/backends/archive.cpp's"
         includes '[<"]CGAL/' $folders | grep -v '^engine/number/geometry\.cpp:' |
             breach "CGAL is engine/number/geometry.cpp's"
-        grep -rn 'JointKind::' engine constructions render app 2>/dev/null |
+        grep -rn 'JointKind::' engine constructions render problems app 2>/dev/null |
             grep -vE '^engine/(mechanism/(pair|mechanism)|check/[a-z_]*)\.[ch]pp:' |
             breach "kinds of joint are the table of pairs' and the check's"
     )
@@ -155,7 +161,11 @@ seen "texts know" lang/words.cpp '"engine/number/b.hpp"'
 seen "engine knows" engine/board/a.cpp '"constructions/b.hpp"'
 seen "engine knows" engine/board/a.hpp '"render/b.hpp"'
 seen "engine alone" constructions/statics/a.hpp '"render/b.hpp"'
-seen "nothing of app" render/page/a.cpp '"app/b.hpp"'
+seen "nothing of problems and app" render/page/a.cpp '"app/b.hpp"'
+seen "nothing of problems and app" render/page/a.cpp '"problems/hertz/hertz.hpp"'
+seen "engine knows" engine/reading/a.cpp '"problems/hertz/hertz.hpp"'
+seen "problems know nothing of app" problems/hertz/a.cpp '"app/library/b.hpp"'
+seen "hertz knows itself alone" problems/hertz/a.cpp '"problems/reye/reye.hpp"'
 seen "needs no construction" render/page/a.cpp '"constructions/b.hpp"'
 seen "file knows number" engine/file/a.hpp '"engine/mechanism/b.hpp"'
 seen "board knows" engine/board/a.cpp '"engine/solution/b.hpp"'
@@ -172,6 +182,7 @@ seen "folder of their subject" engine/a.cpp '<vector>'
 seen "from the root" render/page/a.cpp '"../app/b.hpp"'
 seen "from the root" engine/board/a.cpp '"b.hpp"'
 seen "numeric check's" engine/board/board.cpp '<Eigen/Dense>'
+seen "numeric check's" problems/hertz/solving.cpp '<Eigen/Dense>'
 seen "numeric check's" tests/a_test.cpp '<Eigen/Dense>'
 seen "source of results" engine/results/a.cpp '"engine/check/b.hpp"'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
@@ -188,7 +199,7 @@ seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
 seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
     tests/a_test.cpp 'JointKind::gear'
 seen "" engine/number/geometry.cpp '<CGAL/a.h>' engine/number/geometry.cpp '<CGAL/b.h>' \
-    engine/check/check.cpp '<Eigen/QR>' engine/check/check_forces.cpp '"engine/check/a.hpp"' \
+    engine/check/check.cpp '<Eigen/QR>' problems/hertz/check.cpp '<Eigen/Dense>' problems/hertz/a.cpp '"render/page/a.hpp"' engine/check/check_forces.cpp '"engine/check/a.hpp"' \
     render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/library/a.cpp '"render/page/page.hpp"' app/main.cpp '"kinegraph/mechanism.hpp"' \
     render/text/a.cpp '"render/ink/a.hpp"' render/figures/a.cpp '"render/tables/a.hpp"' \
     constructions/solving/a.cpp '"engine/check/a.hpp"' constructions/statics/forces/a.cpp '"constructions/kinematics/a.hpp"'

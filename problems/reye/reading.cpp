@@ -122,7 +122,7 @@ void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
     const JsonValue to = file_.required(form, "to", end);
     problem.from = file_.quantity_or_zero(file_.required(form, "from", end), QuantityKind::angle);
     problem.to = file_.quantity_or_zero(to, QuantityKind::angle);
-    if (to && form["from"] && (problem.from.sign() < 0 || problem.to <= problem.from || problem.to > pi()))
+    if (to && form["from"] && (problem.from.sign() < 0 || problem.to <= problem.from || problem.to > kinegraph::pi()))
         file_.fault(to, {lang::reye::a_shoe_reaches_from_an_angle});
     if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::common::true_or_false})) {
         problem.inside = is_true(form["inside"]);
