@@ -66,8 +66,7 @@ check() {
         floor constructions kinematics
         floor constructions statics kinematics
         floor constructions verdicts
-        floor constructions problems
-        floor constructions solving problems verdicts statics kinematics
+        floor constructions solving verdicts statics kinematics
         floor constructions positions solving verdicts
         floor constructions moving positions solving
         floor render ink

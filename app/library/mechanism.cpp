@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "app/library/problem_kinds.hpp"
 #include "app/library/solved_positions.hpp"
 #include "app/library/state.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
@@ -10,13 +11,12 @@
 #include "constructions/verdicts/verdicts.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/equations/equations.hpp"
-#include "engine/mechanism/problem.hpp"
+#include "engine/file/json_text.hpp"
 #include "engine/motion/mobility.hpp"
 #include "engine/reading/mechanism_schema.hpp"
-#include "engine/solution/problem_solution.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
-#include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/tables/pair_tables.hpp"
 
@@ -62,10 +62,6 @@ Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
     return remarks;
 }
 
-bool is_point_motion(const Mechanism& mechanism) {
-    return mechanism.problem && std::holds_alternative<PointProblem>(mechanism.problem->of);
-}
-
 /// The mechanism with what the options ask for besides.
 Mechanism with_wishes(Mechanism mechanism, const SolveOptions& options) {
     if (options.equations) mechanism.find.equations = true;
@@ -96,7 +92,9 @@ Expected<MechanismFile> MechanismFile::open(const std::string& path, const std::
 Text MechanismFile::title() const { return text_of(state().mechanism.title); }
 bool MechanismFile::has_joints() const { return !stands_for_joints(state().mechanism); }
 
-bool MechanismFile::has_equations() const { return has_joints() || is_point_motion(state().mechanism); }
+bool MechanismFile::has_equations() const {
+    return has_joints() || app::equations_of_problem(state().mechanism) != nullptr;
+}
 MechanismFile::Counts MechanismFile::counts() const {
     const Mechanism& mechanism = state().mechanism;
     return {mechanism.bodies.size(), mechanism.joints.size(), mechanism.drivers.size()};
@@ -156,12 +154,15 @@ Expected<std::string> MechanismFile::pairs(TextForm form, Language language) con
 
 Expected<std::string> MechanismFile::equations(TextForm form, Language language) const {
     Mechanism mechanism = state().mechanism;
-    const bool of_point = is_point_motion(mechanism);
-    mechanism.find.equations = !of_point;
+    const app::EquationsOfProblem of_problem = app::equations_of_problem(mechanism);
+    mechanism.find.equations = of_problem == nullptr;
     const auto solution = kinegraph::solve(std::move(mechanism));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
-    if (of_point && form == TextForm::json) return "{\n  \"motion\": " + motion_json(*solution) + "\n}\n";
-    if (of_point) return printed(render::point_items(*solution, language), form);
+    if (of_problem != nullptr) {
+        if (form != TextForm::json) return printed(of_problem(*solution, language), form);
+        const ProblemKind& kind = *solution->mechanism.problem->kind;
+        return "{\n  " + json_text(kind.key) + ": " + kind.results(*solution, false) + "\n}\n";
+    }
     if (!solution->equations)
         return refused(Diagnostic::Kind::bad_input, {lang::library::a_problem_in_place_of_joints});
     if (!solution->equations->why_not.empty())

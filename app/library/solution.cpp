@@ -100,8 +100,11 @@ std::vector<Solved::Missing> Solved::unsolved() const { return missing_of(state(
 std::vector<Text> Solved::remarks() const {
     std::vector<Text> all;
     for (const Message& each : state().solution.remarks) all.push_back(text_of(each));
-    if (state().solution.problem)
-        for (const Words& each : state().solution.problem->remarks) all.push_back(text_of(each));
+    const Solution& solution = state().solution;
+    if (solution.problem)
+        for (const Words& each : solution.problem->remarks) all.push_back(text_of(each));
+    if (solution.contacts)
+        for (const Words& each : solution.contacts->remarks) all.push_back(text_of(each));
     return all;
 }
 

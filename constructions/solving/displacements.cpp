@@ -144,7 +144,7 @@ private:
         displaced.drivers = at_unit_rate(drivers_, moving);
         displaced.loads = loads_;
         displaced.inertia_forces = false;
-        displaced.problem.reset();
+        displaced.contacts.reset();
         displaced.exercise.reset();
         displaced.find = {};
         displaced.find.stated = displaced.find.velocity = true;

@@ -12,8 +12,6 @@
 #include "constructions/kinematics/plan.hpp"
 #include "constructions/kinematics/relative_motion.hpp"
 #include "constructions/kinematics/structure.hpp"
-#include "constructions/problems/methods.hpp"
-#include "constructions/problems/problems.hpp"
 #include "constructions/solving/displacements.hpp"
 #include "constructions/solving/missing_motion.hpp"
 #include "constructions/statics/forces.hpp"
@@ -24,7 +22,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/solution/found_elements.hpp"
-#include "engine/solution/problem_solution.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/phrases.hpp"
 #include "lang/keys/sentences.hpp"
 
@@ -397,6 +395,12 @@ void draw(Solution& solution, Arithmetic arithmetic, bool displaces = false) {
         .run();
 }
 
+/// Problems at the joints of a mechanism whose forces are found: the contacts.
+void add_problems_at_joints(Solution& solution) {
+    for (const ProblemKind* each : problem_kinds())
+        if (each->add_at_joints != nullptr) each->add_at_joints(solution);
+}
+
 /// The same pose, with the directions of these drivers.
 Pose driven_as(const Mechanism& mechanism, Pose pose) {
     const std::size_t count = mechanism.drivers.size();
@@ -419,14 +423,15 @@ Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
     solution.mechanism = std::move(mechanism);
     solution.pose = *std::move(pose);
     if (stands_for_joints(solution.mechanism)) {
-        auto found = solve_problem(*solution.mechanism.problem, solution.mechanism, solution.pose);
+        const Problem& problem = *solution.mechanism.problem;
+        auto found = problem.kind->solve(problem, solution.mechanism, solution.pose);
         if (!found) return tl::unexpected(std::move(found.error()));
         solution.problem = std::make_shared<const ProblemSolution>(*std::move(found));
         return solution;
     }
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
     draw(solution, arithmetic);
-    find_contacts(solution);
+    add_problems_at_joints(solution);
     add_equations(solution, [&solution] { return drawn_finer(solution); });
     if (solution.mechanism.find.virtual_work) add_displacements(solution);
     return solution;
@@ -457,7 +462,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmeti
     solution.pose = std::move(pose);
     solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
     Solver(solution, finer, arithmetic).run();
-    find_contacts(solution);
+    add_problems_at_joints(solution);
     add_equations(solution, finer);
     if (solution.mechanism.find.virtual_work) add_displacements(solution, finer);
     return solution;

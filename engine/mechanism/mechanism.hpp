@@ -281,9 +281,10 @@ struct AskedScale {
     std::string where;
 };
 
-/// Contact, wear or impact (engine/mechanism/problem.hpp), which a file may state in place of joints; or contact at
-/// some of them.
+/// What a file states in place of joints (engine/mechanism/problem.hpp).
 struct Problem;
+/// The materials of the contact at a joint (engine/mechanism/contact.hpp).
+struct LoadedContact;
 
 /// The exercise of a file: wanted results, and which parameters vary (engine/mechanism/exercise.hpp).
 struct Exercise;
@@ -306,8 +307,9 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<InstantaneousMotion> motion;
-    std::shared_ptr<const Problem> problem;    ///< in place of joints, or contacts at them; null: neither
-    std::shared_ptr<const Exercise> exercise;  ///< null: the file is no exercise
+    std::shared_ptr<const Problem> problem;                      ///< in place of joints; null: none
+    std::shared_ptr<const std::vector<LoadedContact>> contacts;  ///< null: no joint has materials
+    std::shared_ptr<const Exercise> exercise;                    ///< null: the file is no exercise
     Find find;
     std::vector<AskedScale> scales;
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/file/file_kind.hpp"
 #include "engine/mechanism/cam.hpp"
+#include "engine/reading/file_kind.hpp"
 #include "engine/reading/law_reader.hpp"
 #include "lang/keys/cams.hpp"
 #include "lang/keys/common.hpp"

@@ -1,4 +1,4 @@
-#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/materials.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/joints.hpp"
 
@@ -48,7 +48,7 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         }
         const std::size_t i = joint.bodies[0] == on ? 0 : 1;
         given.at(i) = true;
-        HertzBody& body = contact.bodies.at(i);
+        ElasticBody& body = contact.bodies.at(i);
         body.where = member.pointer();
         if (member.is_string())
             materials_.read_by_name(member, body);
@@ -66,7 +66,7 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
                         {lang::joints::the_material_of_body_is_missing, quoted(mechanism_.body(joint.bodies[i]).name)});
 }
 
-/// Hertz's theory needs curvatures: two smooth profiles, or teeth of known pressure angle.
+/// The theory of contact needs curvatures: two smooth profiles, or teeth of known pressure angle.
 void ContactsOfJoints::check_profiles(JsonValue materials, const Members& form, const Joint& joint) {
     if (form["tangent"]) {
         file_.fault(form["tangent"], {lang::joints::contact_with_materials_asks_for_radii});

@@ -1,5 +1,5 @@
 #include "lang/keys/materials.hpp"
-#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/materials.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ constexpr std::array materials{
 
 }  // namespace
 
-void Materials::read(const Members& form, HertzBody& body) {
+void Materials::read(const Members& form, ElasticBody& body) {
     body.young = 1;
     if (const JsonValue name = form["material"]) {
         for (const std::string_view key : {"young", "poisson"})
@@ -42,7 +42,7 @@ void Materials::read(const Members& form, HertzBody& body) {
         file_.fault(ratio, {lang::materials::poisson_ratio_must_lie_from_0});
 }
 
-void Materials::read_by_name(JsonValue name, HertzBody& body) {
+void Materials::read_by_name(JsonValue name, ElasticBody& body) {
     std::vector<std::string_view> names;
     for (const Material& each : materials) names.push_back(each.name);
     const auto* found =

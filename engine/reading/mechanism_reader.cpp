@@ -7,14 +7,17 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "engine/file/file_kind.hpp"
 #include "engine/file/json_source.hpp"
+#include "engine/mechanism/contact.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/mechanism/rounding.hpp"
 #include "engine/reading/exercise_reader.hpp"
-#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/file_kind.hpp"
+#include "engine/reading/problem_section.hpp"
 #include "engine/reading/sections.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/mechanism.hpp"
 
@@ -59,12 +62,8 @@ private:
 
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
-        const Members file = members(
-            root, {"$schema", "kinegraph", "title",  "units",   "parameters", "precision",      "frame",
-                   "points",  "bodies",    "joints", "drivers", "masses",     "gravity",        "inertia forces",
-                   "loads",   "effort",    "motion", "find",    "scales",     "hertz",          "reye",
-                   "impact",  "positions", "ask",    "vary",    "require",    "position of cam"},
-            {lang::mechanism::a_mechanism});
+        const std::vector<std::string_view> known = keys_of_file();
+        const Members file = members(root, known, {lang::mechanism::a_mechanism});
         read_head(file);
         // A problem names its own bodies and needs no points.
         const bool is_problem = ProblemSection::is_in(file);
@@ -74,7 +73,7 @@ private:
         } else {
             joints_.read_joints(file);
             if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
-                mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
+                mechanism_.contacts = std::make_shared<const LoadedContacts>(std::move(contacts));
             each(file["drivers"], {lang::mechanism::an_array_of_drivers},
                  [&](JsonValue v) { drivers_.read_driver(v); });
             read_forces(file);
@@ -82,6 +81,17 @@ private:
         }
         read_exercise(file, mechanism_);
         if (!is_problem && faults_.empty()) wishes_.read_cuts();
+    }
+
+    static std::vector<std::string_view> keys_of_file() {
+        std::vector<std::string_view> known{"$schema",   "kinegraph", "title",   "units",          "parameters",
+                                            "precision", "frame",     "points",  "bodies",         "joints",
+                                            "drivers",   "masses",    "gravity", "inertia forces", "loads",
+                                            "effort",    "motion",    "find",    "scales"};
+        for (const ProblemKind* each : problem_kinds())
+            if (std::find(known.begin(), known.end(), each->key) == known.end()) known.push_back(each->key);
+        known.insert(known.end(), {"ask", "vary", "require", "position of cam"});
+        return known;
     }
 
     void read_head(const Members& file) {

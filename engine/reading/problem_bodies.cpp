@@ -1,4 +1,4 @@
-#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/problem_section.hpp"
 #include "lang/keys/problems.hpp"
 
 #include <string>

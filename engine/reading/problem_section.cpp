@@ -1,55 +1,52 @@
-#include "engine/reading/problem_sections.hpp"
-#include "lang/keys/common.hpp"
-#include "lang/keys/problems.hpp"
+#include "engine/reading/problem_section.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
+
+#include "engine/solution/problem_kind.hpp"
 
 namespace kinegraph {
 namespace {
 
-/// `motion` is one where it is a point's.
-constexpr std::array<std::string_view, 5> keys{"hertz", "reye", "impact", "positions", "motion"};
+bool states(const ProblemKind& kind, JsonValue section) {
+    return kind.is_stated_by == nullptr ? bool(section) : kind.is_stated_by(section);
+}
+/// A member of the file states a problem, or belongs to mechanisms.
+bool states_a_problem(JsonValue member) {
+    const auto kinds = problem_kinds();
+    return std::any_of(kinds.begin(), kinds.end(),
+                       [&](const ProblemKind* each) { return each->key == member.key() && states(*each, member); });
+}
 
 }  // namespace
 
 bool ProblemSection::is_in(const Members& file) {
-    return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) {
-        return key == "motion" ? PointMotionSection::is_stated_by(file[key]) : file.has_or_misspells(key);
+    const auto kinds = problem_kinds();
+    return std::any_of(kinds.begin(), kinds.end(), [&](const ProblemKind* each) {
+        return each->is_stated_by == nullptr ? file.has_or_misspells(each->key) : each->is_stated_by(file[each->key]);
     });
 }
 
 std::shared_ptr<const Problem> ProblemSection::read(const Members& file) {
     JsonValue section;
-    for (const std::string_view key : keys) {
-        if (!file[key] || (key == "motion" && !PointMotionSection::is_stated_by(file[key]))) continue;
-        if (section)
-            file_.not_together(file[key], section.key());
-        else
-            section = file[key];
+    const ProblemKind* kind = nullptr;
+    for (const ProblemKind* each : problem_kinds()) {
+        if (!states(*each, file[each->key])) continue;
+        if (section) {
+            file_.not_together(file[each->key], section.key());
+        } else {
+            section = file[each->key];
+            kind = each;
+        }
     }
     if (!section) return nullptr;
     for (const std::string_view key :
-         {"joints", "drivers", "motion", "masses", "gravity", "inertia forces", "loads", "effort", "find", "scales"}) {
-        if (file[key] && !(key == "motion" && PointMotionSection::is_stated_by(file[key])))
-            file_.not_together(file[key], section.key());
-    }
-    if (section.key() == "positions") {
-        if (!file_.expect(section, Kind::array, {lang::problems::an_array_of_positions})) return nullptr;
-    } else if (!file_.expect(section, Kind::object, {lang::common::an_object})) {
-        return nullptr;
-    }
-    const auto shared = [](auto problem) -> std::shared_ptr<const Problem> {
-        if (!problem) return nullptr;
-        return std::make_shared<const Problem>(Problem{*std::move(problem)});
-    };
-    if (section.key() == "hertz") return shared(HertzSection(file_, mechanism_).read(section));
-    if (section.key() == "reye") return shared(ReyeSection(file_).read(section));
-    if (section.key() == "impact") return shared(ImpactSection(file_, mechanism_).read(section));
-    if (section.key() == "positions") return shared(PositionsSection(file_).read(section));
-    return shared(PointMotionSection(file_).read(section));
+         {"joints", "drivers", "motion", "masses", "gravity", "inertia forces", "loads", "effort", "find", "scales"})
+        if (file[key] && !states_a_problem(file[key])) file_.not_together(file[key], section.key());
+    std::any of = kind->read(file_, mechanism_, section);
+    if (!of.has_value()) return nullptr;
+    return std::make_shared<const Problem>(Problem{kind, std::move(of)});
 }
 
 }  // namespace kinegraph

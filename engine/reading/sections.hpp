@@ -15,7 +15,7 @@
 #include "engine/motion/point_cycles.hpp"
 #include "engine/reading/form_reader.hpp"
 #include "engine/reading/law_reader.hpp"
-#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/materials.hpp"
 #include "engine/solution/truss.hpp"
 
 namespace kinegraph {

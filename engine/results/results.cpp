@@ -11,90 +11,28 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/results/json_parts.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/solution/displacements.hpp"
-#include "engine/solution/problem_solution.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/phrases.hpp"
 
 namespace kinegraph {
 namespace {
 
-/// Keys in order, with values that are already JSON text.
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-std::string quoted(std::string_view text) { return json_text(text); }
-
-/// JSON has no infinities: a value outside the range of doubles is null. −0 is 0.
-void append_number(std::string& json, double value) {
-    if (!std::isfinite(value)) {
-        json += "null";
-    } else if (value == 0) {
-        json += '0';
-    } else {
-        char text[32];
-        const auto end = std::to_chars(text, text + sizeof text, value);
-        KG_ASSERT(end.ec == std::errc{}, "a double fits 32 characters");
-        json.append(text, end.ptr);
-    }
-}
-std::string number(double value) {
-    std::string json;
-    append_number(json, value);
-    return json;
-}
-std::string number(const Exact& value) { return number(value.to_double()); }
-
-std::string pair(std::string_view x, std::string_view y) {
-    std::string json;
-    json.reserve(x.size() + y.size() + 4);
-    return json.append("[").append(x).append(", ").append(y).append("]");
-}
-std::string pair(const Vector& v) {
-    std::string json = "[";
-    append_number(json, v.x.to_double());
-    json += ", ";
-    append_number(json, v.y.to_double());
-    return json += ']';
-}
-
-std::string fraction(const Exact& value) { return quoted(value.to_fraction()); }
-std::string fractions(const Vector& v) { return pair(fraction(v.x), fraction(v.y)); }
-
-void append_member(std::string& json, std::string_view key, std::string_view value) {
-    append_json_text(json, key);
-    json.append(": ").append(value);
-}
-std::string object(const Members& members) {
-    constexpr std::size_t marks = 6;  // between a key and its value, and before the next
-    std::size_t size = 2;
-    for (const auto& [key, value] : members) size += key.size() + value.size() + marks;
-    std::string json = "{";
-    json.reserve(size);
-    for (const auto& [key, value] : members) {
-        if (json.size() > 1) json += ", ";
-        append_member(json, key, value);
-    }
-    return json += '}';
-}
-/// An object or array with one entry a line, as a member of the file's object: `append(json, entry)` writes one.
-template <class Entries, class Append>
-std::string lines(char open, const Entries& entries, char close, const Append& append) {
-    if (entries.empty()) return {open, close};
-    std::string json(1, open);
-    for (const auto& entry : entries) {
-        json += json.size() == 1 ? "\n    " : ",\n    ";
-        append(json, entry);
-    }
-    return (json += "\n  ") += close;
-}
-std::string lines(char open, const std::vector<std::string>& entries, char close) {
-    return lines(open, entries, close, [](std::string& json, const std::string& entry) { json += entry; });
-}
-std::string object_of_lines(const Members& members) {
-    return lines('{', members, '}',
-                 [](std::string& json, const auto& member) { append_member(json, member.first, member.second); });
-}
+using json::append_member;
+using json::append_number;
+using json::fraction;
+using json::fractions;
+using json::lines;
+using json::Members;
+using json::number;
+using json::object;
+using json::object_of_lines;
+using json::pair;
+using json::quoted;
+using json::values_of;
 
 /// The direction to a point at infinity has no sense: normalised to dx > 0, or (0, 1). The larger component is 1 or −1.
 Vector without_sense(Vector direction, bool pose_is_exact) {
@@ -186,14 +124,6 @@ private:
     Members members_, fractions_;
     std::string leftover_;
 };
-
-/// All values of a problem that have a name in the file.
-Members values_of(const ProblemSolution& found) {
-    Members members;
-    for (const ProblemValue& each : found.values)
-        if (each.in_file) members.emplace_back(in_english(each.name), number(each.value));
-    return members;
-}
 
 /// A row of `checks`.
 std::string check_row(std::string_view name, double graphical, double numeric, double difference) {
@@ -572,14 +502,14 @@ public:
             if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", forces.cuts());
         }
         if (!solution_.resultants.empty()) file.emplace_back("resultant", forces.resultants());
-        if (solution_.problem) file.emplace_back("hertz", contacts());
+        if (solution_.contacts) file.emplace_back(solution_.contacts->kind->key, contacts());
         if (solution_.equations && solution_.equations->why_not.empty())
             file.emplace_back("equations", equations_json(*solution_.equations));
         if (solution_.displacements && solution_.displacements->why_not.empty())
             file.emplace_back("virtual work", displacements_json(mechanism_, *solution_.displacements));
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", unsolved());
-        if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
+        if (!solution_.remarks.empty() || (solution_.contacts && !solution_.contacts->remarks.empty()))
             file.emplace_back("remarks", remarks());
         std::string text = "{";
         for (const auto& [key, value] : file) {
@@ -629,16 +559,17 @@ private:
         all.reserve(solution_.checks.size());
         for (const CheckRow& row : solution_.checks)
             all.push_back(check_row(name_of(row.quantity, solution_), row.graphical, row.numeric, row.difference));
-        if (solution_.problem) add_checks_of_contacts(all);
+        if (solution_.contacts) add_checks_of_contacts(all);
         return lines('[', all, ']');
     }
 
-    /// "hertz P half width".
+    /// By the key of the problem, the joint and the name of the value.
     void add_checks_of_contacts(std::vector<std::string>& all) const {
-        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of))
+        const std::string kind(solution_.contacts->kind->key);
+        for (const SolvedContact& contact : solution_.contacts->at_joints)
             for (const ProblemValue& each : contact.found->values)
                 all.push_back(
-                    check_row("hertz " + mechanism_.joint(contact.joint).name + " " + in_english(each.name), each));
+                    check_row(kind + " " + mechanism_.joint(contact.joint).name + " " + in_english(each.name), each));
     }
 
     std::string unsolved() const {
@@ -651,8 +582,8 @@ private:
     /// By the joint's name: the load, and the values that follow from it.
     std::string contacts() const {
         Members joints;
-        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of)) {
-            Members members{{"force", number(std::get<HertzProblem>(contact.stated->of).force)}};
+        for (const SolvedContact& contact : solution_.contacts->at_joints) {
+            Members members{{"force", number(contact.load)}};
             for (auto& each : values_of(*contact.found)) members.push_back(std::move(each));
             joints.emplace_back(mechanism_.joint(contact.joint).name, object(members));
         }
@@ -662,8 +593,8 @@ private:
     std::string remarks() const {
         std::vector<std::string> all;
         for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
-        if (solution_.problem)
-            for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(in_english(remark)));
+        if (solution_.contacts)
+            for (const Words& remark : solution_.contacts->remarks) all.push_back(quoted(in_english(remark)));
         return lines('[', all, ']');
     }
 };
@@ -672,11 +603,11 @@ private:
 class ProblemResults {
 public:
     ProblemResults(const Solution& solution, bool exact)
-        : found_(*solution.problem), mechanism_(solution.mechanism), exact_(exact) {}
+        : solution_(solution), found_(*solution.problem), exact_(exact) {}
 
     std::string json() const {
-        Members file;
-        std::visit([&](const auto& of) { add(of, file); }, found_.of);
+        const ProblemKind& kind = *solution_.mechanism.problem->kind;
+        Members file{{std::string(kind.key), kind.results(solution_, exact_)}};
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", "[]");
         if (!found_.remarks.empty()) {
@@ -690,102 +621,7 @@ public:
         return text + "\n}\n";
     }
 
-    /// The value of "motion".
-    std::string json_of(const PointMotionSolution& found) const {
-        const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
-        const auto if_defined = [](bool defined, const std::string& value) {
-            return defined ? value : std::string("null");
-        };
-        Members members{{"point", quoted(problem.point)},
-                        {"at", number(problem.at)},
-                        {"position", pair(found.place)},
-                        {"velocity", pair(found.velocity)},
-                        {"acceleration", pair(found.acceleration)},
-                        {"way", number(found.way)},
-                        {"speed", number(found.speed)},
-                        {"tangential acceleration", if_defined(!found.rests, number(found.along))},
-                        {"normal acceleration", if_defined(!found.rests, number(found.across))},
-                        {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
-                        {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
-        const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
-        members.emplace_back(
-            "polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
-                                                        {"velocity", two(found.polar_velocity)},
-                                                        {"acceleration", two(found.polar_acceleration)}})));
-        Members derivatives;
-        const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
-            std::vector<std::string> orders;
-            for (const Expression& each : derived.by_order)
-                orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
-            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol,
-                                     "[" + orders[0] + orders[1] + orders[2] + "]");
-        };
-        for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
-        if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
-        members.emplace_back("derivatives", object(derivatives));
-        return object_of_lines(members);
-    }
-
 private:
-    void add(const ImpactSolution& found, Members& file) const {
-        Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
-                                     quoted(found.direct ? "direct" : "oblique") + "]"},
-                        {"angle", number(found.obliquity)},
-                        {"impulse", pair(found.impulse)}};
-        Members bodies;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const ImpactSolution::Body& body = found.bodies.at(i);
-            Members of{{"velocity", pair(body.after)}, {"omega", number(body.omega_after)}};
-            if (body.reaction) of.emplace_back("pivot", pair(*body.reaction));
-            if (body.percussion) of.emplace_back("centre of percussion", pair(*body.percussion));
-            bodies.emplace_back(mechanism_.body(std::get<ImpactProblem>(mechanism_.problem->of).bodies.at(i).body).name,
-                                object(of));
-        }
-        members.emplace_back("bodies", object(bodies));
-        members.emplace_back("energy lost", number(found.energy_lost));
-        members.emplace_back("normal restitution", number(found.kinematic_restitution));
-        if (exact_)
-            members.emplace_back(
-                "exact", object({{"impulse", fractions(found.impulse)}, {"energy lost", fraction(found.energy_lost)}}));
-        file.emplace_back("impact", object_of_lines(members));
-    }
-    void add(const ReyeSolution& found, Members& file) const {
-        Members members{{"pressures", pair(number(found.first), number(found.second))}};
-        for (auto& each : values_of(found_)) members.push_back(std::move(each));
-        if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
-        file.emplace_back("reye", object_of_lines(members));
-    }
-    void add(const HertzSolution&, Members& file) const {
-        file.emplace_back("hertz", object_of_lines(values_of(found_)));
-    }
-    void add(const PointMotionSolution& found, Members& file) const { file.emplace_back("motion", json_of(found)); }
-    void add(const PositionsSolution& found, Members& file) const {
-        const auto& problem = std::get<PositionsProblem>(mechanism_.problem->of);
-        Members displacements, pivots;
-        for (const Displacement& each : found.displacements) {
-            static constexpr std::array kinds{"rest", "translation", "rotation", "general"};
-            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(each.kind)))}};
-            if (each.kind == Displacement::Kind::translation) members.emplace_back("translation", pair(each.way));
-            members.emplace_back("pole", each.pole ? pair(*each.pole) : "null");
-            members.emplace_back("angle", number(each.angle));
-            if (exact_ && each.pole) members.emplace_back("exact", object({{"pole", fractions(*each.pole)}}));
-            displacements.emplace_back(std::to_string(each.from + 1) + "," + std::to_string(each.to + 1),
-                                       object(members));
-        }
-        for (std::size_t i = 0; i < found.pivots.size(); ++i) {
-            static constexpr std::array kinds{"pivot", "straight line", "free", "fixed"};
-            const FixedPivot& pivot = found.pivots[i];
-            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(pivot.kind)))},
-                            {"pivot", pivot.centre ? pair(*pivot.centre) : "null"}};
-            if (pivot.centre) members.emplace_back("crank", number(pivot.radius));
-            if (exact_ && pivot.centre) members.emplace_back("exact", object({{"pivot", fractions(*pivot.centre)}}));
-            pivots.emplace_back(problem.points.at(i), object(members));
-        }
-        Members members{{"displacements", object(displacements)}};
-        if (!pivots.empty()) members.emplace_back("fixed pivots", object(pivots));
-        file.emplace_back("positions", object_of_lines(members));
-    }
-    static void add(const SolvedContacts&, Members&) {}  // part of the mechanism's own results
     std::string checks() const {
         std::vector<std::string> all;
         for (const ProblemValue& each : found_.values)
@@ -793,8 +629,8 @@ private:
         return lines('[', all, ']');
     }
 
+    const Solution& solution_;
     const ProblemSolution& found_;
-    const Mechanism& mechanism_;
     bool exact_;
 };
 
@@ -953,10 +789,6 @@ std::string displacements_json(const Mechanism& mechanism, const Displacements& 
 }
 
 std::string equations_json(const Equations& equations) { return EquationResults(equations).json(); }
-
-std::string motion_json(const Solution& solution) {
-    return ProblemResults(solution, false).json_of(std::get<PointMotionSolution>(solution.problem->of));
-}
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
     if (stands_for_joints(solution.mechanism)) return ProblemResults(solution, exact).json();

@@ -373,8 +373,9 @@ struct Unsolved {
     Message why;
 };
 
-/// Results of contact, wear or impact, or of contacts at joints (engine/mechanism/problem.hpp).
+/// Results of a problem in place of joints, and of the contacts at joints (engine/solution/problem_solution.hpp).
 struct ProblemSolution;
+struct SolvedContacts;
 /// The closure equations (engine/equations/equations.hpp).
 struct Equations;
 /// Virtual displacements and their work (engine/solution/displacements.hpp).
@@ -408,10 +409,10 @@ struct Solution {
     std::vector<Curvature> curvature;            ///< if requested: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;     ///< where forces and velocities are known
     std::optional<InstantaneousMotionFigure>
-        instantaneous_motion;  ///< if the file gives the instantaneous motion of one body
-    std::shared_ptr<const ProblemSolution>
-        problem;                                 ///< if the file states one; without joints it is the whole solution
-    std::shared_ptr<const Equations> equations;  ///< if requested
+        instantaneous_motion;                            ///< if the file gives the instantaneous motion of one body
+    std::shared_ptr<const ProblemSolution> problem;      ///< if the file states one: then it is the whole solution
+    std::shared_ptr<const SolvedContacts> contacts;      ///< if joints have materials
+    std::shared_ptr<const Equations> equations;          ///< if requested
     std::shared_ptr<const Displacements> displacements;  ///< if requested
     std::vector<CheckRow> checks;
     /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where undetermined by

@@ -27,7 +27,7 @@ private:
     bool has_nothing_else() const {
         const bool weightless = mechanism_.masses.empty() || !mechanism_.gravity;
         return mechanism_.drivers.empty() && mechanism_.efforts.empty() && !mechanism_.motion && !mechanism_.problem &&
-               !mechanism_.inertia_forces && weightless;
+               !mechanism_.contacts && !mechanism_.inertia_forces && weightless;
     }
 
     /// Hinges, and on the frame supports with a reaction along one line; a guide is a support where a roller slides in

@@ -1,4 +1,4 @@
-#include "engine/check/check_problems.hpp"
+#include "problems/hertz/hertz.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,10 +1,11 @@
-#include "lang/keys/contacts.hpp"
-#include "constructions/problems/methods.hpp"
+#include "problems/hertz/hertz.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "lang/keys/contacts.hpp"
 
 namespace kinegraph {
 namespace {
@@ -34,7 +35,8 @@ public:
         checked.force = Exact::from_double(load_by_check().value_or(load));
         auto found = solve_hertz(problem, checked);
         if (!found) return no(found.error().front().message);
-        return SolvedContact{given_.joint, std::make_shared<const Problem>(Problem{std::move(problem)}),
+        return SolvedContact{given_.joint, load,
+                             std::make_shared<const Problem>(Problem{&hertz_problem, std::move(problem)}),
                              std::make_shared<const ProblemSolution>(*std::move(found))};
     }
 
@@ -57,7 +59,7 @@ private:
     /// All data except the force.
     HertzProblem shape() const {
         HertzProblem problem;
-        problem.bodies = given_.bodies;
+        for (std::size_t i = 0; i < 2; ++i) problem.bodies.at(i) = {given_.bodies.at(i)};
         problem.line = true;
         problem.length = given_.length;
         AtJoint at;
@@ -119,27 +121,24 @@ private:
 }  // namespace
 
 void find_contacts(Solution& solution) {
-    if (!solution.mechanism.problem || stands_for_joints(solution.mechanism)) return;
-    ProblemSolution all;
-    all.subject = {lang::contacts::hertzian_contact_at_joints};
-    SolvedContacts contacts;
-    for (const LoadedContact& given : std::get<LoadedContacts>(solution.mechanism.problem->of)) {
+    if (!solution.mechanism.contacts) return;
+    SolvedContacts all{&hertz_problem, {}, {}};
+    for (const LoadedContact& given : *solution.mechanism.contacts) {
         auto contact = ContactAtJoint(solution, given).solved();
         if (!contact) {
             all.remarks.push_back(contact.error());
             continue;
         }
         const std::string& joint = solution.mechanism.joint(given.joint).name;
-        for (const HertzBody& body : std::get<HertzProblem>(contact->stated->of).bodies)
+        for (const HertzBody& body : contact->stated->as<HertzProblem>().bodies)
             if (body.depth && !body.radii[0].is_zero() && !body.inside[0])
                 all.remarks.emplace_back(lang::contacts::at_the_depth_of_body, joint,
                                          solution.mechanism.body(body.body).name);
         for (const Words& remark : contact->found->remarks)
             all.remarks.emplace_back(lang::contacts::at_joint, joint, remark);
-        contacts.push_back(*std::move(contact));
+        all.at_joints.push_back(*std::move(contact));
     }
-    all.of = std::move(contacts);
-    solution.problem = std::make_shared<const ProblemSolution>(std::move(all));
+    solution.contacts = std::make_shared<const SolvedContacts>(std::move(all));
 }
 
 }  // namespace kinegraph

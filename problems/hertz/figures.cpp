@@ -1,10 +1,9 @@
-#include "render/figures/problem_figures.hpp"
+#include "problems/hertz/hertz.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/hertz.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"

@@ -1,18 +1,44 @@
-#include "engine/reading/problem_sections.hpp"
-#include "lang/keys/common.hpp"
-#include "lang/keys/hertz.hpp"
+#include "problems/hertz/hertz.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
+
+#include "engine/reading/materials.hpp"
+#include "engine/reading/problem_section.hpp"
+#include "lang/keys/common.hpp"
+#include "lang/keys/hertz.hpp"
 
 namespace kinegraph {
 namespace {
 
 constexpr std::string_view flat_word = "flat";
 
-}  // namespace
+/// "hertz": two bodies pressed together, with radii and materials. Curvatures without contact are reported here,
+/// since the problem needs no drawing.
+class HertzSection {
+public:
+    HertzSection(FormReader& file, Mechanism& mechanism)
+        : file_(file), mechanism_(mechanism), bodies_(file, mechanism), materials_(file) {}
+
+    std::optional<HertzProblem> read(JsonValue section);
+
+private:
+    using Kind = FormReader::Kind;
+
+    HertzBody read_body(JsonValue member, bool line);
+    void read_shape(const Members& form, bool line, HertzBody& body);
+    void read_radius(JsonValue value, std::size_t plane, HertzBody& body);
+    void check_curvatures(const HertzProblem& problem, JsonValue bodies);
+
+    FormReader& file_;
+    Mechanism& mechanism_;
+    ProblemBodies bodies_;
+    Materials materials_;
+};
 
 std::optional<HertzProblem> HertzSection::read(JsonValue section) {
     const std::size_t before = file_.fault_count();
@@ -124,6 +150,14 @@ void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodie
     const bool is_concave = first.inside[0] || first.inside[1] || second.inside[0] || second.inside[1];
     file_.fault(is_concave ? concave : bodies,
                 is_concave ? conforms : Words(lang::hertz::these_bodies_touch_along_a_line));
+}
+
+}  // namespace
+
+std::any read_hertz(FormReader& file, Mechanism& mechanism, JsonValue section) {
+    if (!file.expect(section, JsonValue::Kind::object, {lang::common::an_object})) return {};
+    auto problem = HertzSection(file, mechanism).read(section);
+    return problem ? std::any(*std::move(problem)) : std::any();
 }
 
 }  // namespace kinegraph

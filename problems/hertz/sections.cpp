@@ -1,14 +1,13 @@
 // The worked solution of Hertz's contact: given data, equivalent bodies, contact area and pressure, stresses below,
 // hypotheses.
+#include "problems/hertz/hertz.hpp"
+
 #include <cmath>
 #include <numbers>
 
-#include "engine/check/check_problems.hpp"
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 #include "lang/keys/notation.hpp"
-#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 
@@ -19,8 +18,8 @@ class HertzText {
 public:
     explicit HertzText(const DrawingContext& context)
         : mechanism_(context.solution.mechanism),
-          problem_(std::get<HertzProblem>(mechanism_.problem->of)),
-          found_(std::get<HertzSolution>(context.solution.problem->of)) {}
+          problem_(mechanism_.problem->as<HertzProblem>()),
+          found_(context.solution.problem->as<HertzSolution>()) {}
 
     Words heading() const {
         if (!problem_.at) return {lang::common::heading_given};

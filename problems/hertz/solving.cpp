@@ -1,11 +1,11 @@
-#include "constructions/problems/methods.hpp"
+#include "problems/hertz/hertz.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "engine/check/check_problems.hpp"
+#include "engine/results/json_parts.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 
@@ -247,5 +247,14 @@ Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProb
     solution.of = std::move(found);
     return solution;
 }
+
+const ProblemKind hertz_problem{
+    .key = "hertz",
+    .read = read_hertz,
+    .solve = [](const Problem& problem, const Mechanism&,
+                const Pose&) { return solve_hertz(problem.as<HertzProblem>()); },
+    .add_at_joints = find_contacts,
+    .results = [](const Solution& solution,
+                  bool) { return json::object_of_lines(json::values_of(*solution.problem)); }};
 
 }  // namespace kinegraph

@@ -1,4 +1,4 @@
-#include "engine/check/check_problems.hpp"
+#include "problems/impact/impact.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,34 @@
-#include "engine/reading/problem_sections.hpp"
+#include "problems/impact/impact.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "engine/reading/problem_section.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/impact.hpp"
 
-#include <cstddef>
-#include <string_view>
-
 namespace kinegraph {
+namespace {
+
+/// "impact": two colliding bodies, with masses, velocities, restitution and friction.
+class ImpactSection {
+public:
+    ImpactSection(FormReader& file, Mechanism& mechanism)
+        : file_(file), mechanism_(mechanism), bodies_(file, mechanism) {}
+
+    std::optional<ImpactProblem> read(JsonValue section);
+
+private:
+    using Kind = FormReader::Kind;
+
+    ImpactBody read_body(JsonValue member);
+
+    FormReader& file_;
+    Mechanism& mechanism_;
+    ProblemBodies bodies_;
+};
 
 std::optional<ImpactProblem> ImpactSection::read(JsonValue section) {
     const Members form =
@@ -65,6 +88,14 @@ ImpactBody ImpactSection::read_body(JsonValue member) {
         if (!form["centre"]) file_.fault(member, {lang::impact::a_body_on_a_pivot});
     }
     return body;
+}
+
+}  // namespace
+
+std::any read_impact(FormReader& file, Mechanism& mechanism, JsonValue section) {
+    if (!file.expect(section, JsonValue::Kind::object, {lang::common::an_object})) return {};
+    auto problem = ImpactSection(file, mechanism).read(section);
+    return problem ? std::any(*std::move(problem)) : std::any();
 }
 
 }  // namespace kinegraph

@@ -1,12 +1,12 @@
 // The worked solution of an impact: given data and class, equations of the impulses, phases, velocities afterwards,
 // energy.
+#include "problems/impact/impact.hpp"
+
 #include <cmath>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/impact.hpp"
 #include "lang/keys/notation.hpp"
-#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
@@ -18,8 +18,8 @@ class ImpactText {
 public:
     explicit ImpactText(const DrawingContext& context)
         : mechanism_(context.solution.mechanism),
-          problem_(std::get<ImpactProblem>(mechanism_.problem->of)),
-          found_(std::get<ImpactSolution>(context.solution.problem->of)),
+          problem_(mechanism_.problem->as<ImpactProblem>()),
+          found_(context.solution.problem->as<ImpactSolution>()),
           size_(kinegraph::length(found_.normal)) {}
 
     std::vector<Words> given() const {

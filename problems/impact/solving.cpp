@@ -1,9 +1,7 @@
-#include "constructions/problems/methods.hpp"
+#include "problems/impact/impact.hpp"
 
 #include <cmath>
 
-#include "constructions/problems/problems.hpp"
-#include "engine/check/check_problems.hpp"
 #include "engine/number/geometry.hpp"
 #include "lang/keys/impact.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/check/check_problems.hpp"
+#include "problems/point/point.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
-#include "render/figures/problem_figures.hpp"
+#include "problems/point/point.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/point_motion.hpp"
 #include "render/figures/problem_figure.hpp"

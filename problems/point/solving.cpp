@@ -1,11 +1,9 @@
-#include "constructions/problems/methods.hpp"
+#include "problems/point/point.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "constructions/problems/problems.hpp"
-#include "engine/check/check_problems.hpp"
 #include "engine/file/algebra.hpp"
 #include "engine/file/expression_gap.hpp"
 #include "engine/number/assert.hpp"

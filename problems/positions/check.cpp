@@ -1,4 +1,4 @@
-#include "engine/check/check_problems.hpp"
+#include "problems/positions/positions.hpp"
 
 #include <complex>
 

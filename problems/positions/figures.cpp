@@ -1,11 +1,10 @@
-#include "render/figures/problem_figures.hpp"
+#include "problems/positions/positions.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/finite_positions.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/page/scale.hpp"

@@ -1,16 +1,19 @@
-#include "engine/reading/problem_sections.hpp"
+#include "problems/positions/positions.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "engine/drawing/pose.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/finite_positions.hpp"
+#include "lang/keys/problems.hpp"
 
 namespace kinegraph {
 namespace {
@@ -25,7 +28,22 @@ Words length_words(double si, const KnownUnit& unit) {
     return decimal_words(std::string(text.data(), end) + " " + std::string(unit.symbol));
 }
 
-}  // namespace
+/// "positions": two or three positions of a body, by the places of two of its points.
+class PositionsSection {
+public:
+    explicit PositionsSection(FormReader& file) : file_(file) {}
+
+    std::optional<PositionsProblem> read(JsonValue section);
+
+private:
+    using Kind = FormReader::Kind;
+
+    void read_position(JsonValue value, PositionsProblem& problem);
+    /// Moves the point along the join if the distances differ by rounding only; a larger difference is a fault.
+    void keep_distance(JsonValue at, const PositionsProblem& problem, PositionsProblem::Position& position);
+
+    FormReader& file_;
+};
 
 std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
     const Words wanted(lang::finite_positions::two_or_three_positions_a_x);
@@ -106,6 +124,14 @@ void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& probl
     }
     position.places[1] = position.places[0] + square_root(wanted / squared_length(arm), 200).value * arm;
     position.moved = std::abs(here - there);
+}
+
+}  // namespace
+
+std::any read_positions(FormReader& file, Mechanism&, JsonValue section) {
+    if (!file.expect(section, JsonValue::Kind::array, {lang::problems::an_array_of_positions})) return {};
+    auto problem = PositionsSection(file).read(section);
+    return problem ? std::any(*std::move(problem)) : std::any();
 }
 
 }  // namespace kinegraph

@@ -1,8 +1,8 @@
 // The worked solution of finite displacements: the positions, each displacement, the fixed pivots.
-#include "engine/solution/problem_solution.hpp"
+#include "problems/positions/positions.hpp"
+
 #include "lang/keys/common.hpp"
 #include "lang/keys/finite_positions.hpp"
-#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
@@ -16,8 +16,8 @@ class PositionsText {
 public:
     explicit PositionsText(const DrawingContext& context)
         : mechanism_(context.solution.mechanism),
-          problem_(std::get<PositionsProblem>(mechanism_.problem->of)),
-          found_(std::get<PositionsSolution>(context.solution.problem->of)),
+          problem_(mechanism_.problem->as<PositionsProblem>()),
+          found_(context.solution.problem->as<PositionsSolution>()),
           a_(problem_.points[0]),
           b_(problem_.points[1]) {}
 
@@ -128,7 +128,7 @@ private:
 
 std::vector<ProblemSection> positions_sections(const DrawingContext& context) {
     const PositionsText text(context);
-    const auto& found = std::get<PositionsSolution>(context.solution.problem->of);
+    const auto& found = context.solution.problem->as<PositionsSolution>();
     const bool three = !found.pivots.empty();
     std::vector<ProblemSection> sections;
     ProblemFigure all{"positions", [&context](double x, double y) { return positions_question_figure(context, x, y); },

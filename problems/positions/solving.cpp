@@ -1,4 +1,4 @@
-#include "constructions/problems/methods.hpp"
+#include "problems/positions/positions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "constructions/problems/problems.hpp"
-#include "engine/check/check_problems.hpp"
 #include "lang/keys/finite_positions.hpp"
 
 namespace kinegraph {

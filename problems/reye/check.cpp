@@ -1,4 +1,4 @@
-#include "engine/check/check_problems.hpp"
+#include "problems/reye/reye.hpp"
 
 #include <algorithm>
 #include <cmath>

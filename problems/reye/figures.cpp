@@ -1,10 +1,9 @@
-#include "render/figures/problem_figures.hpp"
+#include "problems/reye/reye.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/reye.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
@@ -23,8 +22,8 @@ public:
     ContactFigure(const DrawingContext& context, Spot room, bool as_question)
         : context_(context),
           theme_(context.theme),
-          problem_(std::get<ReyeProblem>(context.solution.mechanism.problem->of)),
-          found_(std::get<ReyeSolution>(context.solution.problem->of)),
+          problem_(context.solution.mechanism.problem->as<ReyeProblem>()),
+          found_(context.solution.problem->as<ReyeSolution>()),
           units_(context.solution.mechanism.units),
           room_(room),
           as_question_(as_question) {}
@@ -263,8 +262,8 @@ Figure reye_question_figure(const DrawingContext& context, double room_x, double
 }
 
 Figure reye_pressure_figure(const DrawingContext& context, double room_x, double room_y) {
-    const auto& problem = std::get<ReyeProblem>(context.solution.mechanism.problem->of);
-    const auto& found = std::get<ReyeSolution>(context.solution.problem->of);
+    const auto& problem = context.solution.mechanism.problem->as<ReyeProblem>();
+    const auto& found = context.solution.problem->as<ReyeSolution>();
     const Units& units = context.solution.mechanism.units;
     const bool ring = problem.kind == ReyeProblem::Kind::disc;
     const Unit pressure = suitable_unit(found.greatest, QuantityKind::pressure, units);

@@ -1,16 +1,38 @@
-#include "engine/reading/problem_sections.hpp"
-#include "lang/keys/common.hpp"
-#include "lang/keys/reye.hpp"
+#include "problems/reye/reye.hpp"
 
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/reading/form_reader.hpp"
+#include "lang/keys/common.hpp"
+#include "lang/keys/reye.hpp"
+
 namespace kinegraph {
+namespace {
+
+/// "reye": wear of a pad, a block, a disc, a collar or the shoe of a drum brake.
+class ReyeSection {
+public:
+    explicit ReyeSection(FormReader& file) : file_(file) {}
+
+    std::optional<ReyeProblem> read(JsonValue section);
+
+private:
+    using Kind = FormReader::Kind;
+
+    std::optional<ReyeProblem::Kind> read_kind(JsonValue section);
+    void read_pad(const Members& form, ReyeProblem& problem);
+    void read_disc(const Members& form, ReyeProblem& problem);
+    void read_shoe(const Members& form, ReyeProblem& problem);
+
+    FormReader& file_;
+};
 
 std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
     const auto kind = read_kind(section);
@@ -134,6 +156,14 @@ void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
             file_.wrong(sense, {lang::reye::leading_or_trailing});
         problem.leading = sense.text() != "trailing";
     }
+}
+
+}  // namespace
+
+std::any read_reye(FormReader& file, Mechanism&, JsonValue section) {
+    if (!file.expect(section, JsonValue::Kind::object, {lang::common::an_object})) return {};
+    auto problem = ReyeSection(file).read(section);
+    return problem ? std::any(*std::move(problem)) : std::any();
 }
 
 }  // namespace kinegraph

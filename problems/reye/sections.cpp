@@ -1,12 +1,12 @@
 // The worked solution of wear by Reye's hypothesis: given data, the hypothesis and its form for this motion,
 // equilibrium, torque, depth of wear.
+#include "problems/reye/reye.hpp"
+
 #include <cmath>
 #include <numbers>
 
-#include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
-#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 
@@ -19,8 +19,8 @@ class ReyeText {
 public:
     explicit ReyeText(const DrawingContext& context)
         : mechanism_(context.solution.mechanism),
-          problem_(std::get<ReyeProblem>(mechanism_.problem->of)),
-          found_(std::get<ReyeSolution>(context.solution.problem->of)) {}
+          problem_(mechanism_.problem->as<ReyeProblem>()),
+          found_(context.solution.problem->as<ReyeSolution>()) {}
 
     std::vector<Words> given() const {
         std::vector<Words> said;
@@ -151,7 +151,7 @@ private:
 
 std::vector<ProblemSection> reye_sections(const DrawingContext& context) {
     const ReyeText text(context);
-    const auto& found = std::get<ReyeSolution>(context.solution.problem->of);
+    const auto& found = context.solution.problem->as<ReyeSolution>();
     const auto figure = [&context](const char* id, auto draw, double height) {
         return ProblemFigure{id, [&context, draw](double x, double y) { return draw(context, x, y); }, height};
     };

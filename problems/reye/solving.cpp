@@ -1,12 +1,10 @@
-#include "constructions/problems/methods.hpp"
+#include "problems/reye/reye.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "constructions/problems/problems.hpp"
-#include "engine/check/check_problems.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 

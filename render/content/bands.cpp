@@ -208,8 +208,8 @@ private:
         std::vector<Block> rows;
         for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
         for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
-        if (solution_.problem)
-            for (const Words& each : solution_.problem->remarks)
+        if (solution_.contacts)
+            for (const Words& each : solution_.contacts->remarks)
                 rows.push_back(paragraph(formula(in(each, context_.language))));
         return rows;
     }
@@ -368,7 +368,7 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
         deal_out_results();
     else
         add("answers", {}).parts.push_back({Kind::answers});
-    const bool contact_remarks = solution_.problem && !solution_.problem->remarks.empty();
+    const bool contact_remarks = solution_.contacts && !solution_.contacts->remarks.empty();
     if (!solution_.unsolved.empty() || !solution_.remarks.empty() || contact_remarks) add_remarks();
 }
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <system_error>
 
-#include "engine/solution/problem_solution.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
@@ -108,25 +108,26 @@ void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const S
              {room.min.x, room.max.y}, theme.secondary, "text");
 }
 
-bool is_of_point(const Mechanism& mechanism) {
-    return stands_for_joints(mechanism) && std::holds_alternative<PointProblem>(mechanism.problem->of);
+bool is_of_points(const Mechanism& mechanism) {
+    return stands_for_joints(mechanism) && mechanism.problem->kind->title_block.of_points;
 }
 
-/// For a problem without joints: two bodies in contact, one displaced body, or one point.
 std::string count_of_bodies(const Mechanism& mechanism) {
     if (!stands_for_joints(mechanism)) return std::to_string(mechanism.bodies.size());
-    return is_of_point(mechanism) || std::holds_alternative<PositionsProblem>(mechanism.problem->of) ? "1" : "2";
+    return std::to_string(mechanism.problem->kind->title_block.count);
 }
 
 std::string units_of(const Solution& solution) {
     const Units& units = solution.mechanism.units;
     const std::string length = units.length.symbol, force = ", " + units.force.symbol;
-    if (!stands_for_joints(solution.mechanism))
-        return length + (has_motion(solution) || !has_forces(solution) ? ", s" : "") +
-               (has_forces(solution) ? force : "");
-    const Problem& problem = *solution.mechanism.problem;
-    if (std::holds_alternative<PointProblem>(problem.of)) return length + ", s";
-    return std::holds_alternative<PositionsProblem>(problem.of) ? length : length + force;
+    ProblemKind::TitleBlock shown;
+    if (stands_for_joints(solution.mechanism)) {
+        shown = solution.mechanism.problem->kind->title_block;
+    } else {
+        shown.has_forces = has_forces(solution);
+        shown.has_time = has_motion(solution) || !has_forces(solution);
+    }
+    return length + (shown.has_time ? ", s" : "") + (shown.has_forces ? force : "");
 }
 
 }  // namespace
@@ -173,7 +174,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         {word(lang::sheet::block_sheet, context.language), std::to_string(index) + "/" + std::to_string(count)},
         {word(lang::sheet::block_units, context.language), units_of(solution)},
         {word(lang::sheet::block_readings, context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word(is_of_point(solution.mechanism) ? lang::sheet::block_points : lang::sheet::block_bodies,
+        {word(is_of_points(solution.mechanism) ? lang::sheet::block_points : lang::sheet::block_bodies,
               context.language),
          count_of_bodies(solution.mechanism)}};
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -1,5 +1,4 @@
-// Chapters of prose and formulas beside the closure equations: relative motion taken apart, virtual work, motion of a
-// point.
+// Chapters of prose and formulas beside the closure equations: relative motion taken apart, virtual work.
 #pragma once
 
 #include <cstddef>
@@ -29,25 +28,5 @@ std::vector<EquationItem> virtual_work_items(const Solution& solution, Language 
 
 /// "δθ_3", "δs_D": the displaced coordinate.
 RichText displaced_coordinate(const Mechanism& mechanism, const Driver& driver);
-
-// ----- Motion of a point in words and formulas: given data, derivatives in symbols with their values, the three forms,
-// tangent, normal and curvature, the course. Independent of figures and positions.
-
-/// A formula or a table, placed after the first `after` sentences.
-struct PieceAfter {
-    std::size_t after = 0;
-    EquationItem item;
-};
-/// Sentences, with the formulas and tables that belong to them.
-struct PointSection {
-    std::string question;  ///< its data-question attribute
-    Words heading;
-    std::vector<Words> sentences{};
-    std::vector<PieceAfter> pieces{};  ///< in order of `after`
-};
-/// For a Solution whose problem is the motion of a point: given, derivatives, forms, hodograph, curvature, course.
-std::vector<PointSection> point_text(const Solution& solution, Language language);
-/// The part that needs no figure, as one list: given data, derivatives, forms, tangent and normal.
-std::vector<EquationItem> point_items(const Solution& solution, Language language);
 
 }  // namespace kinegraph::render

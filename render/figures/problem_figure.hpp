@@ -1,8 +1,7 @@
-// Common parts of the figures of all problems (contact, wear, impact): begin and end of a figure.
+// Common parts of the figures of all problems: begin and end of a figure.
 #pragma once
 
 #include <string>
-#include <variant>
 
 #include "engine/solution/problem_solution.hpp"
 #include "render/page/figure.hpp"
@@ -11,13 +10,13 @@
 namespace kinegraph::render {
 
 /// The problem and its solution. Require that the context has this kind.
-template <class Problem>
-const Problem& problem_of(const DrawingContext& context) {
-    return std::get<Problem>(context.solution.mechanism.problem->of);
+template <class Data>
+const Data& problem_of(const DrawingContext& context) {
+    return context.solution.mechanism.problem->as<Data>();
 }
 template <class Found>
 const Found& solution_of(const DrawingContext& context) {
-    return std::get<Found>(context.solution.problem->of);
+    return context.solution.problem->as<Found>();
 }
 /// A position or an arrow on paper, mm, y downwards; `scale` per mm.
 inline Spot spot_of(const VectorOf<double>& v, double scale) { return {v.x / scale, -v.y / scale}; }

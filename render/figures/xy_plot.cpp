@@ -27,7 +27,7 @@ struct Scaled {
 };
 
 /// Whole steps that include all values and zero.
-Scaled scaled_to(const XyPlot& plot, double Spot::*axis, int most_steps) {
+Scaled scaled_to(const XyPlot& plot, double Spot::*axis, int at_most) {
     Scaled found;
     for (const XyCurve& curve : plot.curves)
         for (const Spot& value : curve.values) {
@@ -35,7 +35,7 @@ Scaled scaled_to(const XyPlot& plot, double Spot::*axis, int most_steps) {
             found.most = std::max(found.most, value.*axis);
         }
     if (found.width() <= 0) found.most = found.least + 1;
-    found.step = step_of(found.width(), most_steps);
+    found.step = step_of(found.width(), at_most);
     found.least = std::floor(found.least / found.step + 1e-9) * found.step;
     found.most = std::ceil(found.most / found.step - 1e-9) * found.step;
     return found;

@@ -31,8 +31,8 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
 /// The contacts by name of the joint, in the order of the file. A deque, because figures refer to its elements.
 std::deque<std::pair<std::string, Solution>> contacts_of(const Solution& solution) {
     std::deque<std::pair<std::string, Solution>> all;
-    if (!solution.problem || stands_for_joints(solution.mechanism)) return all;
-    for (const SolvedContact& contact : std::get<SolvedContacts>(solution.problem->of))
+    if (!solution.contacts) return all;
+    for (const SolvedContact& contact : solution.contacts->at_joints)
         all.emplace_back(solution.mechanism.joint(contact.joint).name, alone(solution, contact));
     return all;
 }

@@ -1,12 +1,13 @@
 // The worked solution of a problem as a list of questions, each with its figures and sentences; the sentences contain
-// the formulas. One file for each kind of problem.
+// the formulas. The sections of each kind of problem are in its folder of problems/.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "render/equations/chapters.hpp"
+#include "render/equations/equation_text.hpp"
 #include "render/page/block.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
@@ -19,6 +20,11 @@ struct ProblemFigure {
     double height = 1;                                       ///< relative to that of the other figures
     std::function<Figure(double, double)> as_question = {};  ///< the version for a question, if it hides something
 };
+/// A formula or a table, placed after the first `after` sentences.
+struct PieceAfter {
+    std::size_t after = 0;
+    EquationItem item;
+};
 struct ProblemSection {
     std::string question;  ///< for `data-question`
     Words heading;
@@ -27,13 +33,8 @@ struct ProblemSection {
     std::size_t found = 0;         ///< in a section of given data: number of its last sentences that a question hides
     std::vector<PieceAfter> pieces = {};  ///< formulas and tables between the sentences
 };
-/// In reading order. Results and remarks are not included, since they are the same for all problems.
+/// In reading order, for the kind of the problem; app/library/problem_kinds.cpp defines this function. Results and
+/// remarks are not included, since they are the same for all problems.
 std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);
-
-std::vector<ProblemSection> hertz_sections(const DrawingContext& context);
-std::vector<ProblemSection> impact_sections(const DrawingContext& context);
-std::vector<ProblemSection> reye_sections(const DrawingContext& context);
-std::vector<ProblemSection> point_sections(const DrawingContext& context);
-std::vector<ProblemSection> positions_sections(const DrawingContext& context);
 
 }  // namespace kinegraph::render

@@ -16,7 +16,7 @@ namespace kinegraph::tests {
 /// The result of the kind that the file states.
 template <class Found>
 const Found& found_in(const Solution& solution) {
-    return std::get<Found>(solution.problem->of);
+    return solution.problem->as<Found>();
 }
 /// A file that states a problem, lengths in mm; `members` are the members of its section.
 inline Solution stated(const std::string& section, const std::string& members) {

@@ -1,37 +1,28 @@
-#include "engine/file/file_kind.hpp"
+#include "engine/reading/file_kind.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "engine/file/units.hpp"
+#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/files.hpp"
 
 namespace kinegraph {
 namespace {
 
-struct StatedBy {
-    std::string_view key;
-    FileKind kind;
-};
-constexpr std::array stated_by{
-    StatedBy{"cam", FileKind::cam},
-    StatedBy{"points", FileKind::mechanism},
-    StatedBy{"bodies", FileKind::mechanism},
-    StatedBy{"joints", FileKind::mechanism},
-    StatedBy{"motion", FileKind::mechanism},
-    StatedBy{"hertz", FileKind::mechanism},
-    StatedBy{"reye", FileKind::mechanism},
-    StatedBy{"impact", FileKind::mechanism},
-    StatedBy{"positions", FileKind::mechanism},
-};
+bool shows(std::string_view key, FileKind kind) {
+    constexpr std::array<std::string_view, 4> of_mechanism{"points", "bodies", "joints", "motion"};
+    if (kind == FileKind::cam) return key == "cam";
+    const auto problems = problem_kinds();
+    return std::find(of_mechanism.begin(), of_mechanism.end(), key) != of_mechanism.end() ||
+           std::any_of(problems.begin(), problems.end(), [&](const ProblemKind* each) { return each->key == key; });
+}
 
 /// The first member that shows the file's kind.
 JsonValue first_of(JsonValue root, FileKind kind) {
     for (const JsonValue member : root)
-        if (std::any_of(stated_by.begin(), stated_by.end(),
-                        [&](const StatedBy& each) { return each.kind == kind && each.key == member.key(); }))
-            return member;
+        if (shows(member.key(), kind)) return member;
     return {};
 }
 

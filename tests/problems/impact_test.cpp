@@ -8,6 +8,7 @@
 #include <random>
 
 #include "constructions/solving/solve.hpp"
+#include "problems/impact/impact.hpp"
 #include "tests/support/problem_tests.hpp"
 
 namespace kinegraph::impact_test {
@@ -17,9 +18,7 @@ using tests::example;
 using tests::solved;
 
 const ImpactSolution& impact_of(const Solution& solution) { return tests::found_in<ImpactSolution>(solution); }
-const ImpactProblem& given_in(const Solution& solution) {
-    return std::get<ImpactProblem>(solution.mechanism.problem->of);
-}
+const ImpactProblem& given_in(const Solution& solution) { return solution.mechanism.problem->as<ImpactProblem>(); }
 
 void expect_near_check(const Solution& solution, double share) {
     tests::expect_near_check(*solution.problem, share, tests::Against::largest);

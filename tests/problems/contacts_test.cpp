@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "problems/hertz/hertz.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
@@ -23,16 +24,12 @@ using std::numbers::pi;
 using tests::solved;
 
 const SolvedContact& only_contact(const Solution& solution) {
-    const auto& all = tests::found_in<SolvedContacts>(solution);
+    const std::vector<SolvedContact>& all = solution.contacts->at_joints;
     EXPECT_EQ(all.size(), 1u);
     return all.front();
 }
-const HertzProblem& stated_at(const Solution& solution) {
-    return std::get<HertzProblem>(only_contact(solution).stated->of);
-}
-const HertzSolution& found_at(const Solution& solution) {
-    return std::get<HertzSolution>(only_contact(solution).found->of);
-}
+const HertzProblem& stated_at(const Solution& solution) { return only_contact(solution).stated->as<HertzProblem>(); }
+const HertzSolution& found_at(const Solution& solution) { return only_contact(solution).found->as<HertzSolution>(); }
 double reduced(double e1, double nu1, double e2, double nu2) {
     return 1 / ((1 - nu1 * nu1) / e1 + (1 - nu2 * nu2) / e2);
 }
@@ -52,7 +49,7 @@ TEST(Contacts, RollerPressesItsCamWithTheForceOfTheTriangle) {
     EXPECT_EQ(*solution.efforts.front().value, Exact::ratio(264, 10));
     expect_line(found_at(solution), 1000, 0.04 * 0.015 / 0.055, reduced(207e9, 0.292, 100e9, 0.211), 0.02);
     tests::expect_near_check(*only_contact(solution).found, 1e-4, tests::Against::itself);
-    EXPECT_TRUE(solution.problem->remarks.empty());
+    EXPECT_TRUE(solution.contacts->remarks.empty());
 }
 
 TEST(Contacts, WheelPressesItsRailWithTheNormalPartAlone) {
@@ -95,16 +92,16 @@ TEST(Contacts, AConcavePartnerIsTheLargerCircleOnTheSameSide) {
     expect_line(found_at(flat), 500, 0.01, reduced(207e9, 0.292, 207e9, 0.292), 0.02);
     const Solution alike =
         solved(roller_on("", R"({"points": ["R"], "circle": {"centre": "R", "radius": 10}})", "", "-500"));
-    EXPECT_TRUE(tests::found_in<SolvedContacts>(alike).empty());
-    EXPECT_NE(alike.problem->remarks.front().in(Language::en).find("not larger than the convex one"),
+    EXPECT_TRUE(alike.contacts->at_joints.empty());
+    EXPECT_NE(alike.contacts->remarks.front().in(Language::en).find("not larger than the convex one"),
               std::string::npos);
 }
 
 TEST(Contacts, WhatPressesNothingIsSaid) {
     const auto remark = [](const std::string& text) {
         const Solution solution = solved(text);
-        EXPECT_TRUE(tests::found_in<SolvedContacts>(solution).empty());
-        return solution.problem->remarks.at(0);
+        EXPECT_TRUE(solution.contacts->at_joints.empty());
+        return solution.contacts->remarks.at(0);
     };
     const auto on_flat = [](const char* force) {
         return roller_on("", R"(["P"])", R"(, "profiles": {"2": {"line": 0}})", force);
@@ -114,7 +111,7 @@ TEST(Contacts, WhatPressesNothingIsSaid) {
     std::string deep = on_flat("-500");
     deep.replace(deep.find("\"steel\""), 7,
                  R"({"1": {"material": "steel", "depth": 5}, "2": {"material": "steel", "depth": 5}})");
-    EXPECT_EQ(solved(deep).problem->remarks.size(), 1u) << "a depth is of use on the flat body alone";
+    EXPECT_EQ(solved(deep).contacts->remarks.size(), 1u) << "a depth is of use on the flat body alone";
     EXPECT_EQ(stated_at(solved(deep)).bodies[1].depth, Exact::ratio(5, 1000));
     std::string unloaded = on_flat("-500");
     const std::size_t loads = unloaded.find("\"loads\"");

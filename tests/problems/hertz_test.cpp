@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "constructions/problems/methods.hpp"
+#include "problems/hertz/hertz.hpp"
 #include "tests/support/problem_tests.hpp"
 
 namespace kinegraph::hertz_test {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "constructions/solving/solve.hpp"
+#include "problems/reye/reye.hpp"
 #include "tests/support/problem_tests.hpp"
 
 namespace kinegraph::reye_test {
