@@ -125,6 +125,10 @@ check() {
         grep -rn 'JointKind::' engine constructions render problems app 2>/dev/null |
             grep -vE '^engine/(mechanism/(pair|mechanism)|check/[a-z_]*)\.[ch]pp:' |
             breach "kinds of joint are the table of pairs' and the check's"
+        # A point and its key are many other things, too.
+        kinds=$(ls problems 2>/dev/null | grep -vx point | paste -sd '|')
+        grep -rnE "\"(${kinds:-none})\"" engine constructions render --include='*.[ch]pp' 2>/dev/null |
+            breach "kinds of problems are rows of app/library/problem_kinds.cpp"
     )
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
@@ -194,6 +198,7 @@ seen "geometry.cpp's" constructions/statics/a.cpp '<CGAL/Point_2.h>'
 seen "geometry.cpp's" engine/number/exact.cpp '<CGAL/a.h>'
 seen "public face stands above" engine/board/a.cpp '"kinegraph/solution.hpp"'
 seen "public headers include" include/kinegraph/a.hpp '"engine/number/exact.hpp"'
+seen "kinds of problems" render/sheet/a.cpp '"hertz"' problems/hertz/a.cpp '<vector>'
 seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
 seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
     tests/a_test.cpp 'JointKind::gear'
