@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lang/keys/common.hpp"
-#include "lang/keys/equations.hpp"
 #include "lang/keys/point_motion.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -153,17 +152,17 @@ public:
             add(section,
                 equation(Formula::letter("y"), expression(found_.of_path->by_order[0], "x") + unit_of(graph->f.law)));
         if (const Words constants = said_constants(); !constants.empty()) section.sentences.push_back(constants);
-        section.sentences.emplace_back(lang::equations::the_instant_is_t_the_interval, time(problem_.at),
+        section.sentences.emplace_back(lang::point_motion::the_instant_is_t_the_interval, time(problem_.at),
                                        time(problem_.from), time(problem_.to));
         return section;
     }
 
     /// Each law, its derivatives in symbols, and their values at the instant.
     PointSection derivatives() const {
-        PointSection section{"derivatives", {lang::equations::derivatives}, {}, {}};
+        PointSection section{"derivatives", {lang::point_motion::derivatives}, {}, {}};
         section.sentences.emplace_back(problem_.form == Form::path
-                                           ? Words(lang::equations::the_law_of_the_way)
-                                           : Words(lang::equations::the_laws_are_derived_twice));
+                                           ? Words(lang::point_motion::the_law_of_the_way)
+                                           : Words(lang::point_motion::the_laws_are_derived_twice));
         for (int order = 1; order <= 2; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i) {
                 if (problem_.laws[i].text.empty()) continue;
@@ -173,7 +172,8 @@ public:
                                                                                 problem_.at.to_double(), order))));
             }
         if (!found_.of_path) return section;
-        section.sentences.emplace_back(lang::equations::the_curve_is_derived_by_x, length(found_.place.x.to_double()));
+        section.sentences.emplace_back(lang::point_motion::the_curve_is_derived_by_x,
+                                       length(found_.place.x.to_double()));
         const auto& graph = *path<GraphPath>();
         for (int order = 1; order <= 2; ++order) {
             const auto k = static_cast<std::size_t>(order);
@@ -191,8 +191,8 @@ public:
 
     /// Position, velocity and acceleration in coordinates, in polar components and as complex numbers.
     PointSection forms() const {
-        PointSection section{"forms", {lang::equations::three_forms}, {}, {}};
-        section.sentences.emplace_back(lang::equations::in_coordinates_in_components_along);
+        PointSection section{"forms", {lang::point_motion::three_forms}, {}, {}};
+        section.sentences.emplace_back(lang::point_motion::in_coordinates_in_components_along);
         const Formula r = Formula::letter("r"), theta = Formula::letter("theta");
         const auto dots = [](const char* name, int count) { return Formula::letter(name, "", count); };
         add(section, equation(Formula::letter("v", "r"), dots("r", 1)) + upright(",  ") +
@@ -219,20 +219,20 @@ public:
 
     PointSection hodograph() const {
         PointSection section{"hodograph", {lang::common::hodograph}, {}, {}};
-        section.sentences.emplace_back(lang::equations::the_velocities_drawn_from_one_origin);
+        section.sentences.emplace_back(lang::point_motion::the_velocities_drawn_from_one_origin);
         return section;
     }
 
     /// `at_the_board`: includes the construction of the centre of curvature that a figure shows.
     PointSection intrinsic(bool at_the_board) const {
-        PointSection section{"curvature", {lang::equations::tangent_normal_curvature}, {}, {}};
+        PointSection section{"curvature", {lang::point_motion::tangent_normal_curvature}, {}, {}};
         if (found_.rests) {
-            section.sentences.emplace_back(lang::equations::v_0_at_this_instant,
+            section.sentences.emplace_back(lang::point_motion::v_0_at_this_instant,
                                            acceleration(found_.acceleration_length));
             return section;
         }
         const Formula v = Formula::letter("v"), a = Formula::letter("a");
-        section.sentences.emplace_back(lang::equations::the_tangent_t_goes, speed(found_.speed),
+        section.sentences.emplace_back(lang::point_motion::the_tangent_t_goes, speed(found_.speed),
                                        acceleration(found_.acceleration_length));
         const auto dot = [](int order) { return Formula::letter("v", "", order); };
         add(section, equation(Formula::letter("a", "t"), dot(1)) + sign("=") +
@@ -245,10 +245,11 @@ public:
                 Formula::fraction(upright("|") + crossed("x", "y") + sign("−") + crossed("y", "x") + upright("|"), v) +
                 sign("=") + upright(said(found_.across, QuantityKind::acceleration)));
         if (found_.straight) {
-            section.sentences.emplace_back(lang::equations::a_n_0_the_radius);
+            section.sentences.emplace_back(lang::point_motion::a_n_0_the_radius);
             return section;
         }
-        if (at_the_board) section.sentences.emplace_back(lang::equations::at_the_board_a_n, "{" + problem_.point + "}");
+        if (at_the_board)
+            section.sentences.emplace_back(lang::point_motion::at_the_board_a_n, "{" + problem_.point + "}");
         add(section, equation(Formula::letter("rho"),
                               Formula::fraction(Formula::power(v, upright("2")), Formula::letter("a", "n"))) +
                          sign("=") + upright(said(found_.radius, QuantityKind::length)) + upright(",  ") +
@@ -257,37 +258,38 @@ public:
     }
 
     PointSection course() const {
-        PointSection section{"course", {lang::equations::over_the_interval}, {}, {}};
+        PointSection section{"course", {lang::point_motion::over_the_interval}, {}, {}};
         const PointMotionSolution::At& last = found_.course.back();
-        section.sentences.emplace_back(lang::equations::at_the_instant_the_way, length(found_.way), length(last.way));
+        section.sentences.emplace_back(lang::point_motion::at_the_instant_the_way, length(found_.way),
+                                       length(last.way));
         return section;
     }
 
 private:
     Words sentence_of_form() const {
         switch (problem_.form) {
-            case Form::cartesian: return {lang::equations::the_point_moves_in_the_plane, name()};
-            case Form::polar: return {lang::equations::the_point_moves_in_the_plane_the, name()};
+            case Form::cartesian: return {lang::point_motion::the_point_moves_in_the_plane, name()};
+            case Form::polar: return {lang::point_motion::the_point_moves_in_the_plane_the, name()};
             case Form::path: break;
         }
         if (const auto* circle = path<CirclePath>())
-            return {lang::equations::the_point_moves_along_the_circle, name(),
+            return {lang::point_motion::the_point_moves_along_the_circle, name(),
                     amount(circle->radius.to_double(), QuantityKind::length, mechanism_.units, as_given),
                     place_words(circle->centre),
                     amount(circle->start.to_double(), QuantityKind::angle, mechanism_.units, 5)};
         if (const auto* line = path<LinePath>())
-            return {lang::equations::the_point_moves_along_the_line, name(), place_words(line->from),
+            return {lang::point_motion::the_point_moves_along_the_line, name(), place_words(line->from),
                     amount(std::atan2(line->direction.y.to_double(), line->direction.x.to_double()),
                            QuantityKind::angle, mechanism_.units, 5)};
-        return {lang::equations::the_point_moves_along_a_curve, name(),
+        return {lang::point_motion::the_point_moves_along_a_curve, name(),
                 amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};
     }
 
     std::vector<std::vector<Formula>> table() const {
         std::vector<std::vector<Formula>> rows;
-        rows.push_back({upright(""), upright(word(lang::equations::cartesian, language_)),
-                        upright(word(lang::equations::polar, language_)),
-                        upright(word(lang::equations::complex, language_))});
+        rows.push_back({upright(""), upright(word(lang::point_motion::cartesian, language_)),
+                        upright(word(lang::point_motion::polar, language_)),
+                        upright(word(lang::point_motion::complex, language_))});
         const auto row = [&](Formula letter, const Vector& v, QuantityKind kind, const std::array<double, 2>& polar,
                              bool is_place) {
             const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);
