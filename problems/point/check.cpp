@@ -7,7 +7,7 @@
 namespace kinegraph {
 namespace {
 
-using Form = PointProblem::Form;
+using MotionForm = PointProblem::Form;
 using Complex = std::complex<double>;
 
 /// In SI.
@@ -26,18 +26,18 @@ public:
 
     Motion at(double time) const {
         switch (problem_.form) {
-            case Form::cartesian: {
+            case MotionForm::cartesian: {
                 const Jet x = law(0, time), y = law(1, time);
                 return {Complex(x[0], y[0]), Complex(x[1], y[1]), Complex(x[2], y[2])};
             }
-            case Form::polar: {
+            case MotionForm::polar: {
                 // z = r e^{iθ}, differentiated directly.
                 const Jet r = law(0, time), theta = law(1, time);
                 const Complex turn = std::polar(1.0, theta[0]), i(0, 1);
                 const Complex first = i * theta[1], second = i * theta[2] - theta[1] * theta[1];
                 return {r[0] * turn, (r[1] + r[0] * first) * turn, (r[2] + 2.0 * r[1] * first + r[0] * second) * turn};
             }
-            case Form::path: break;
+            case MotionForm::path: break;
         }
         return on_path(law(0, time));
     }
@@ -103,7 +103,7 @@ PointCheck check_point_motion(const PointProblem& problem) {
     check.across = std::abs(product.imag());
     check.radius = check.speed * check.speed / check.across;
     check.centre = vector_of(z + Complex(0, 1) * v * (check.speed * check.speed / (std::conj(v) * a).imag()));
-    if (problem.form == Form::path) {
+    if (problem.form == MotionForm::path) {
         check.way = numeric.law(0, at)[0];
     } else {
         constexpr int halves = 1000;
@@ -114,9 +114,9 @@ PointCheck check_point_motion(const PointProblem& problem) {
         }
         check.way = sum * (at - from) / (6 * halves);
     }
-    check.r = problem.form == Form::polar ? numeric.law(0, at)[0] : std::abs(z);
-    check.theta = problem.form == Form::polar ? numeric.law(1, at)[0] : std::arg(z);
-    const Complex back = problem.form == Form::polar ? std::polar(1.0, -check.theta) : std::conj(z) / std::abs(z);
+    check.r = problem.form == MotionForm::polar ? numeric.law(0, at)[0] : std::abs(z);
+    check.theta = problem.form == MotionForm::polar ? numeric.law(1, at)[0] : std::arg(z);
+    const Complex back = problem.form == MotionForm::polar ? std::polar(1.0, -check.theta) : std::conj(z) / std::abs(z);
     check.polar_velocity = {(v * back).real(), (v * back).imag()};
     check.polar_acceleration = {(a * back).real(), (a * back).imag()};
     return check;

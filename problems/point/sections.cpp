@@ -16,7 +16,7 @@
 namespace kinegraph::render {
 namespace {
 
-using Form = PointProblem::Form;
+using MotionForm = PointProblem::Form;
 
 /// Sentences, with the formulas and tables that belong to them.
 struct PointSection {
@@ -160,7 +160,7 @@ public:
     /// Each law, its derivatives in symbols, and their values at the instant.
     PointSection derivatives() const {
         PointSection section{"derivatives", {lang::point_motion::derivatives}, {}, {}};
-        section.sentences.emplace_back(problem_.form == Form::path
+        section.sentences.emplace_back(problem_.form == MotionForm::path
                                            ? Words(lang::point_motion::the_law_of_the_way)
                                            : Words(lang::point_motion::the_laws_are_derived_twice));
         for (int order = 1; order <= 2; ++order)
@@ -268,9 +268,9 @@ public:
 private:
     Words sentence_of_form() const {
         switch (problem_.form) {
-            case Form::cartesian: return {lang::point_motion::the_point_moves_in_the_plane, name()};
-            case Form::polar: return {lang::point_motion::the_point_moves_in_the_plane_the, name()};
-            case Form::path: break;
+            case MotionForm::cartesian: return {lang::point_motion::the_point_moves_in_the_plane, name()};
+            case MotionForm::polar: return {lang::point_motion::the_point_moves_in_the_plane_the, name()};
+            case MotionForm::path: break;
         }
         if (const auto* circle = path<CirclePath>())
             return {lang::point_motion::the_point_moves_along_the_circle, name(),

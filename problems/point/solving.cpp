@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-using Form = PointProblem::Form;
+using MotionForm = PointProblem::Form;
 
 // ----- numbers with error bounds
 
@@ -281,17 +281,17 @@ private:
         State state;
         state.first = values_of(0, time);
         switch (problem_.form) {
-            case Form::cartesian:
+            case MotionForm::cartesian:
                 state.second = values_of(1, time);
                 state.place = {state.first[0], state.second[0]};
                 state.velocity = {state.first[1], state.second[1]};
                 state.acceleration = {state.first[2], state.second[2]};
                 break;
-            case Form::polar:
+            case MotionForm::polar:
                 state.second = values_of(1, time);
                 take_polar(state);
                 break;
-            case Form::path: take_path(state); break;
+            case MotionForm::path: take_path(state); break;
         }
         return state;
     }
@@ -360,12 +360,12 @@ private:
             const double time = i == samples ? to : from + (to - from) * i / samples;
             const State state = state_at(time);
             if (auto why = why_none(state, time, problem_.where_from)) return why;
-            if (problem_.form != Form::path) {
+            if (problem_.form != MotionForm::path) {
                 if (at > last && at <= time) found_.way = way + way_between(last, at);
                 way += way_between(last, time);
                 last = time;
             }
-            found_.course.push_back(at_of(state, time, problem_.form == Form::path ? state.first[0].value : way));
+            found_.course.push_back(at_of(state, time, problem_.form == MotionForm::path ? state.first[0].value : way));
         }
         return std::nullopt;
     }
@@ -436,7 +436,7 @@ private:
         found_.place = exact(state.place);
         found_.velocity = exact(state.velocity);
         found_.acceleration = exact(state.acceleration);
-        if (problem_.form == Form::path) found_.way = state.first[0].value;
+        if (problem_.form == MotionForm::path) found_.way = state.first[0].value;
         const Vector &v = found_.velocity, &a = found_.acceleration;
         found_.rests = v.is_zero();
         found_.straight = found_.rests || a.is_zero();
@@ -450,7 +450,7 @@ private:
         settle_polar(state);
     }
     void settle_polar(const State& state) {
-        if (problem_.form == Form::polar) {
+        if (problem_.form == MotionForm::polar) {
             const auto& [r, r1, r2] = state.first;
             const auto& [theta, theta1, theta2] = state.second;
             found_.r = cleaned(r);
@@ -529,7 +529,7 @@ std::vector<Words> remarks_on(const PointProblem& problem, const PointMotionSolu
     else if (found.straight)
         remarks.emplace_back(lang::point_motion::the_normal_acceleration_vanishes_the_radius);
     if (found.at_pole) remarks.emplace_back(lang::point_motion::the_point_passes_the_origin);
-    if (problem.form == Form::polar && found.r < 0)
+    if (problem.form == MotionForm::polar && found.r < 0)
         remarks.emplace_back(lang::point_motion::r_is_negative_the_point_lies);
     return remarks;
 }
