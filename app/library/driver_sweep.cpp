@@ -128,7 +128,7 @@ public:
         if (travel.starts_at_limit) table.limits.push_back(cycle_->at_limit(travel.from, travel.to - travel.from));
         if (travel.ends_at_limit) table.limits.push_back(cycle_->at_limit(travel.to, travel.from - travel.to));
         table.transmission = transmission_of(mechanism, cycle_->positions(), course_.driver, travel);
-        auto ways = app::ways_of(mechanism, cycle_->positions(), travel, options_.poses, traces_);
+        auto ways = app::ways_of(mechanism, pose_, cycle_->positions(), travel, options_.poses, traces_);
         for (const Centrodes& each : centrodes_) app::add_ways(each, mechanism, ways);
         return ways;
     }

@@ -123,12 +123,12 @@ Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const
             if (!here.move_to(coordinate.to_double()))
                 return wrong(Words(dashes + "at") + lang::notation::colon +
                              out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
-            if (here.is_singular())
-                return wrong({lang::library::at_at_the_mechanism, dashes, text}, ErrorCode::no_unique_answer);
-            Repositioned moved = mover.moved(here, coordinate);
-            put_rates(moved.mechanism);
-            const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
-            solutions.push_back(solve(std::move(moved.mechanism), std::move(moved.pose), finer, arithmetic));
+            std::optional<Repositioned> moved =
+                here.is_singular() ? mover.moved_across(here, coordinate) : mover.moved(here, coordinate);
+            if (!moved) return wrong({lang::library::at_at_the_mechanism, dashes, text}, ErrorCode::no_unique_answer);
+            put_rates(moved->mechanism);
+            const FinerPose finer = [pose = std::move(moved->finer)] { return pose; };
+            solutions.push_back(solve(std::move(moved->mechanism), std::move(moved->pose), finer, arithmetic));
         }
         name_position(solutions.back().mechanism, name, text);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "constructions/positions/drawn_motion.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sweeps.hpp"
@@ -46,6 +47,21 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
         if (slides || turns) plots.push_back({i});
     }
     return plots;
+}
+
+/// Places that a body covers as drawn: its points, and four on its circle.
+std::vector<VectorOf<double>> places_covered(const Body& body, const Pose& pose) {
+    const auto rough = [&](PointIndex point) {
+        return VectorOf<double>{pose.at(point).x.to_double(), pose.at(point).y.to_double()};
+    };
+    std::vector<VectorOf<double>> places;
+    for (const PointIndex point : body.points) places.push_back(rough(point));
+    if (!body.circle) return places;
+    const VectorOf<double> centre = rough(body.circle->centre);
+    const double radius = body.circle->radius.to_double();
+    for (const VectorOf<double>& side : {VectorOf<double>{radius, 0}, {0, radius}})
+        for (const int sense : {1, -1}) places.push_back(centre + static_cast<double>(sense) * side);
+    return places;
 }
 
 }  // namespace
@@ -136,37 +152,22 @@ tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>
     return traces;
 }
 
-std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions, const Travel& travel, int poses,
-                                 const std::vector<Trace>& traces) {
+std::vector<render::Way> ways_of(const Mechanism& mechanism, const Pose& pose, const Positions& positions,
+                                 const Travel& travel, int poses, const std::vector<Trace>& traces) {
     std::vector<render::Way> ways;
-    Places places;
-    // Just inside the ends: the driver may stop there.
-    const auto move_along = [&](double share) {
-        constexpr double short_of = 1e-6;
-        share = std::clamp(share, travel.starts_at_limit ? short_of : 0, travel.ends_at_limit ? 1 - short_of : 1);
-        if (!positions.move_to(travel.from + share * (travel.to - travel.from))) return false;
-        positions.read(places);
-        return true;
-    };
-    const bool closes = !travel.starts_at_limit && !travel.ends_at_limit;
-    for (int i = 0; i < poses; ++i) {
-        if (!move_along(static_cast<double>(i) / (closes ? poses : std::max(poses - 1, 1)))) continue;
-        for (const Body& body : mechanism.bodies) {
-            if (&body == &mechanism.bodies.front() || body.points.size() < 2) continue;
-            render::Way& way = ways.emplace_back(render::Way{body.name, false, {}});
-            for (const PointIndex point : body.points) way.places.push_back(places.points[at_index(point)]);
-            if (body.points.size() > 2) way.places.push_back(way.places.front());
-        }
+    for (OtherPosition& other : other_positions(positions, travel, poses)) {
+        render::Way way{.kind = render::Way::Kind::position};
+        for (const BodyIndex body : mechanism.moving_bodies())
+            for (const VectorOf<double>& place : places_covered(mechanism.body(body), pose))
+                way.places.push_back(other.bodies[at_index(body)](place));
+        way.bodies = std::move(other.bodies);
+        ways.push_back(std::move(way));
     }
-    constexpr int samples = 720;
-    const std::size_t first = ways.size();
-    for (const Trace& trace : traces) ways.push_back({trace.name, true, {}});
-    for (int i = 0; !traces.empty() && i <= samples; ++i) {
-        if (!move_along(static_cast<double>(i) / samples)) continue;
-        for (std::size_t k = 0; k < traces.size(); ++k)
-            ways[first + k].places.push_back(
-                positions.seen_from(traces[k].on, places.points[at_index(traces[k].point)]));
-    }
+    std::vector<TracedPoint> points;
+    for (const Trace& trace : traces) points.push_back({trace.point, trace.on});
+    auto paths = paths_of(positions, travel, points);
+    for (std::size_t k = 0; k < traces.size(); ++k)
+        for (PathPlaces& places : paths[k]) ways.push_back({traces[k].name, true, std::move(places)});
     return ways;
 }
 

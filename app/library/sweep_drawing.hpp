@@ -40,8 +40,8 @@ struct Trace {
 tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>& asked, const Mechanism& mechanism,
                                                   const std::string& dashes);
 
-/// `poses` positions distributed over the travel, and the paths.
-std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions, const Travel& travel, int poses,
-                                 const std::vector<Trace>& traces);
+/// `poses` positions at even steps of the travel, and the paths.
+std::vector<render::Way> ways_of(const Mechanism& mechanism, const Pose& pose, const Positions& positions,
+                                 const Travel& travel, int poses, const std::vector<Trace>& traces);
 
 }  // namespace kinegraph::app

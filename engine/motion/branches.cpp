@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/mechanism/rounding.hpp"
+#include "engine/motion/branch_order.hpp"
 #include "engine/motion/constraint_rows.hpp"
 
 namespace kinegraph {
@@ -32,12 +33,6 @@ private:
     Exact nothing_;
 };
 
-/// A body's velocity: that of the place of the origin, and ω.
-struct State {
-    Vector v;
-    Exact omega;
-};
-
 /// The second-order terms of constraints, with lengths in units of the drawing's size, relative to its first point.
 class SecondOrderTerms {
 public:
@@ -53,7 +48,7 @@ public:
     std::optional<Exact> quadratic(const ConstraintRow& row, const DenseRow& u) const {
         if (row.turn) return Exact();
         const Joint& joint = mechanism_.joint(row.joint);
-        const State i = state(u, row.i), j = state(u, row.j);
+        const OriginVelocity i = state(u, row.i), j = state(u, row.j);
         const Vector p = place(row.point);
         const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
         if (joint.pair().has_guide()) {
@@ -73,13 +68,15 @@ public:
     }
 
 private:
-    State state(const DenseRow& u, BodyIndex body) const {
+    OriginVelocity state(const DenseRow& u, BodyIndex body) const {
         if (body == frame) return {};
         const std::size_t first = 3 * at_index(body.number() - 1);
         return {{u[first], u[first + 1]}, u[first + 2]};
     }
 
-    static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
+    static Vector velocity(const OriginVelocity& state, const Vector& at) {
+        return state.v + state.omega * quarter_turn(at);
+    }
 
     /// Centre of curvature of a profile at the contact; a tip is its own centre. Empty for a line; sets `known` to
     /// false where the file gives no profile.
@@ -99,7 +96,7 @@ private:
         bool known_i = false, known_j = false;
         const auto c_i = centre(joint, i, known_i), c_j = centre(joint, j, known_j);
         if (!known_i || !known_j || (!c_i && !c_j)) return std::nullopt;
-        const State s_i = state(u, i), s_j = state(u, j);
+        const OriginVelocity s_i = state(u, i), s_j = state(u, j);
         const Vector p = place(joint.point);
         if (c_i && c_j) {
             // |C_i C_j| is constant: d·(a(C_i) − a(C_j)) = −|v(C_i) − v(C_j)|²
@@ -111,8 +108,8 @@ private:
         }
         // The centre keeps its distance from a line of the other body: a pin in a slot, shifted.
         const bool first = c_i.has_value();
-        const State& round = first ? s_i : s_j;
-        const State& flat = first ? s_j : s_i;
+        const OriginVelocity& round = first ? s_i : s_j;
+        const OriginVelocity& flat = first ? s_j : s_i;
         const Vector& c = first ? *c_i : *c_j;
         const Vector sliding = velocity(round, c) - velocity(flat, c);
         const Exact along = 2 * flat.omega * dot(normal, quarter_turn(sliding)) +
@@ -130,6 +127,7 @@ public:
     /// `leader`: the analysis of the same mechanism on another drawing, whose pivots are reused.
     Analysis(const Mechanism& mechanism, const Pose& pose, const Analysis* leader = nullptr)
         : mechanism_(mechanism),
+          pose_(pose),
           terms_(mechanism, pose),
           arithmetic_(pose),
           columns_(3 * (static_cast<int>(mechanism.bodies.size()) - 1)),
@@ -306,7 +304,7 @@ private:
         } else if (velocities_.size() > 2) {
             motion.second_order = SecondOrder::open;
         } else {
-            for (const Root& root : common_roots(forms)) motion.branches.push_back(branch(root));
+            put_in_order(common_roots(forms), motion.branches);
             motion.second_order = motion.branches.empty() ? SecondOrder::impossible : SecondOrder::branches;
         }
     }
@@ -346,12 +344,27 @@ private:
         return {{root.value - b, 2 * a, exact}, {-root.value - b, 2 * a, exact}};
     }
 
-    Branch branch(const Root& root) const {
-        std::vector<Exact> omega(mechanism_.bodies.size());
-        for (std::size_t body = 1; body < omega.size(); ++body) {
-            const std::size_t column = 3 * (body - 1) + 2;
-            omega[body] = root.x * velocities_[0][column] + root.y * velocities_[1][column];
+    void put_in_order(const std::vector<Root>& roots, std::vector<Branch>& branches) const {
+        std::vector<std::pair<BranchRank, Branch>> ranked;
+        for (const Root& root : roots) {
+            std::vector<OriginVelocity> velocities(mechanism_.bodies.size());
+            const auto sum = [&](std::size_t column) {
+                return root.x * velocities_[0][column] + root.y * velocities_[1][column];
+            };
+            for (std::size_t body = 1; body < velocities.size(); ++body) {
+                const std::size_t first = 3 * (body - 1);
+                velocities[body] = {{sum(first), sum(first + 1)}, sum(first + 2)};
+            }
+            ranked.emplace_back(rank_of_branch(mechanism_, pose_, velocities), branch(root, velocities));
         }
+        std::stable_sort(ranked.begin(), ranked.end(),
+                         [](const auto& a, const auto& b) { return comes_before(a.first, b.first); });
+        for (auto& each : ranked) branches.push_back(std::move(each.second));
+    }
+
+    Branch branch(const Root& root, const std::vector<OriginVelocity>& velocities) const {
+        std::vector<Exact> omega;
+        for (const OriginVelocity& each : velocities) omega.push_back(each.omega);
         Branch branch;
         const auto turns = [&](BodyIndex body) { return body > frame && !arithmetic_.is_zero(omega[at_index(body)]); };
         for (const Driver& driver : mechanism_.drivers) {
@@ -359,8 +372,14 @@ private:
             if (spin != nullptr && spin->relative_to == frame && branch.reference == none && turns(spin->body))
                 branch.reference = spin->body;
         }
-        for (const BodyIndex body : mechanism_.moving_bodies())
-            if (branch.reference == none && turns(body)) branch.reference = body;
+        if (branch.reference == none) {
+            const auto by_name = [&](BodyIndex a, BodyIndex b) {
+                return name_comes_before(mechanism_.body(a).name, mechanism_.body(b).name);
+            };
+            for (const BodyIndex body : mechanism_.moving_bodies())
+                if (turns(body) && (branch.reference == none || by_name(body, branch.reference)))
+                    branch.reference = body;
+        }
         if (branch.reference == none) return branch;
         for (const Exact& each : omega) {
             const Exact ratio = arithmetic_.is_zero(each) ? Exact() : each / omega[at_index(branch.reference)];
@@ -371,6 +390,7 @@ private:
     }
 
     const Mechanism& mechanism_;
+    const Pose& pose_;
     SecondOrderTerms terms_;
     Arithmetic arithmetic_;
     int columns_;

@@ -12,7 +12,7 @@ namespace kinegraph {
 
 /// One way out of a change point, as ratios of angular velocities.
 struct Branch {
-    BodyIndex reference = none;  ///< the driven body, or the first that rotates; none: no body rotates
+    BodyIndex reference = none;  ///< the driven body, or the first by name that rotates; none: no body rotates
     std::vector<double> ratios;  ///< by BodyIndex: ω_b/ω_reference; empty where no body turns
     std::vector<Exact> exact;    ///< the same where it is rational and the pose exact; else empty
 };
@@ -30,9 +30,9 @@ struct InstantMotion {
         open         ///< undecided: more than two freedoms, or a contact of unknown curvature
     };
     SecondOrder second_order = SecondOrder::unasked;
-    int freedoms = 0;    ///< dimension of the space of velocities
-    int conditions = 0;  ///< states of self-stress whose quadratic form does not vanish
-    std::vector<Branch> branches;
+    int freedoms = 0;                  ///< dimension of the space of velocities
+    int conditions = 0;                ///< states of self-stress whose quadratic form does not vanish
+    std::vector<Branch> branches;      ///< by comes_before() of engine/motion/branch_order.hpp
     std::vector<BodyIndex> still;      ///< bodies at rest in every possible motion, except the frame
     std::vector<BodyIndex> unturning;  ///< bodies that move but never rotate
 };

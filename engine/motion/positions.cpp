@@ -46,6 +46,33 @@ double longest_step(const std::vector<Driver>& drivers, const std::vector<Exact>
     return longest;
 }
 
+/// Bits after the point of refined unknowns.
+int grid_of(const Closure& closure) { return closure.bits + 8; }
+
+Vector facing_on_grid(const Exact& angle, int grid) {
+    return unit_along(direction_of(Angle{angle, false}, grid), grid);
+}
+
+/// `q`: the unknowns by column.
+std::vector<BodyPlaceOf<Exact>> places_at(const Closure& closure, const std::vector<Exact>& q) {
+    std::vector<BodyPlaceOf<Exact>> places(closure.bodies.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Closure::Body& body = closure.bodies[i];
+        places[i].at = body.x < 0 ? body.reference : Vector{q[at_index(body.x)], q[at_index(body.x) + 1]};
+        if (i == 0) continue;
+        places[i].turn = q[at_index(body.turn)];
+        places[i].facing = places[i].turn.is_zero() ? Vector{1, 0} : facing_on_grid(places[i].turn, grid_of(closure));
+    }
+    return places;
+}
+
+/// Weight of the values at ±k in the middle of the polynomial through those at ±1, … ±m: (−1)^(k+1) m!²/((m−k)!(m+k)!).
+Exact weight_at_middle(int k, int m) {
+    Exact weight = k % 2 == 1 ? 1 : -1;
+    for (int i = 1; i <= k; ++i) weight *= Exact::ratio(m - k + i, m + i);
+    return weight;
+}
+
 }  // namespace
 
 Result<Positions> Positions::of(const Mechanism& mechanism, const Pose& pose, const Course& course) {
@@ -82,31 +109,47 @@ VectorOf<double> Positions::seen_from(BodyIndex body, const VectorOf<double>& pl
                     closing::rough(bodies()[at_index(body)].reference));
 }
 
+RigidMotion Positions::motion(BodyIndex body) const {
+    const BodyPlaceOf<double>& at = now(body);
+    const VectorOf<double> reference = closing::rough(bodies()[at_index(body)].reference);
+    return {at.facing, unit_ * (at.at - faced(at.facing, reference))};
+}
+
+/// Beside a limit at the distance e, positions differ from that at the limit by c √e + O(e): 2 q(e) − q(4e) is free of
+/// the root.
+std::optional<Positions> Positions::at_limit(double limit, double inward) const {
+    // Limits are known to 1e-9, or less well beside a change point.
+    for (const double near : {1e-8, 1e-7, 1e-6, 1e-5}) {
+        Positions far = *this;
+        if (!far.move_to(limit + 4 * near * inward)) continue;
+        Positions close = far;
+        if (!close.move_to(limit + near * inward)) continue;
+        std::vector<double> q = close.state();
+        for (std::size_t k = 0; k < q.size(); ++k) q[k] = 2 * q[k] - far.state()[k];
+        close.walk_.closure().set_places(q);
+        return close;
+    }
+    return std::nullopt;
+}
+
 /// Iterative refinement: with the matrix in doubles each pass adds some fifteen digits, from exact residuals.
-std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const Exact& coordinate) {
+std::vector<Exact> Positions::refined_state(const Closure& closure, const Exact& coordinate) {
     closing::NumericClosure& numeric = walk_.closure();
     closing::State state = walk_.here();
     KG_ASSERT(numeric.close(state), "a position that was reached is reached again");
     numeric.factor();
     numeric.set_places(walk_.here().q);
-    const int grid = closure.bits + 8;
-    const auto facing = [&](const Exact& angle) { return unit_along(direction_of(Angle{angle, false}, grid), grid); };
+    const int grid = grid_of(closure);
+    const auto facing = [&](const Exact& angle) { return facing_on_grid(angle, grid); };
     std::vector<Exact> q, targets;
     for (const double value : state.q) q.push_back(Exact::from_double(value));
     for (const Exact& share : shares_) targets.push_back(coordinate * share);
     for (const Closure::Row& row : closure.rows)
         if (row.driver >= 0 && row.kind != Closure::Row::Kind::turns) targets[at_index(row.driver)] /= closure.unit;
-    std::vector<BodyPlaceOf<Exact>> places(closure.bodies.size());
     std::vector<double> excesses(closure.rows.size());
     const double done = std::ldexp(1, -closure.bits - 2);
     for (int pass = 0; pass < 40; ++pass) {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const Closure::Body& body = closure.bodies[i];
-            places[i].at = body.x < 0 ? body.reference : Vector{q[at_index(body.x)], q[at_index(body.x) + 1]};
-            if (i == 0) continue;
-            places[i].turn = q[at_index(body.turn)];
-            places[i].facing = places[i].turn.is_zero() ? Vector{1, 0} : facing(places[i].turn);
-        }
+        const std::vector<BodyPlaceOf<Exact>> places = places_at(closure, q);
         for (std::size_t r = 0; r < closure.rows.size(); ++r) {
             const Closure::Row& row = closure.rows[r];
             Exact value = excess(row, places[at_index(row.i)], places[at_index(row.j)], facing);
@@ -117,7 +160,42 @@ std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const
         if (closing::largest(correction) < done) break;
         for (std::size_t k = 0; k < q.size(); ++k) q[k] = rounded(q[k] - Exact::from_double(correction[k]), grid);
     }
-    return places;
+    return q;
+}
+
+std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const Exact& coordinate) {
+    return places_at(closure, refined_state(closure, coordinate));
+}
+
+std::optional<std::vector<BodyPlaceOf<Exact>>> Positions::refined_across(const Closure& closure,
+                                                                         const Exact& coordinate) const {
+    // Sixteen positions on either side: the error of the polynomial is about (h/r)^32, where r is the distance of the
+    // next limit or change point. It is estimated by fourteen of them.
+    constexpr int most = 16, fewer = 14;
+    const Exact enough = Exact::power_of_two(-closure.bits);
+    for (int finer = 4; finer <= 14; ++finer) {
+        const Exact h = Exact::power_of_two(std::ilogb(walk_.longest_step()) - finer);
+        std::vector<Exact> found(walk_.here().q.size()), estimate(found.size());
+        const auto add = [&](int k) {
+            Positions beside = *this;
+            const Exact at = coordinate + k * h;
+            if (!beside.move_to(at.to_double()) || beside.is_singular()) return false;
+            const std::vector<Exact> q = beside.refined_state(closure, at);
+            const int side = std::abs(k);
+            for (std::size_t i = 0; i < q.size(); ++i) {
+                found[i] += weight_at_middle(side, most) * q[i];
+                if (side <= fewer) estimate[i] += weight_at_middle(side, fewer) * q[i];
+            }
+            return true;
+        };
+        bool is_found = true;
+        for (int k = 1; k <= most && is_found; ++k) is_found = add(k) && add(-k);
+        for (std::size_t i = 0; i < found.size() && is_found; ++i) is_found = abs(found[i] - estimate[i]) < enough;
+        if (!is_found) continue;
+        for (Exact& each : found) each = rounded(each, grid_of(closure));
+        return places_at(closure, found);
+    }
+    return std::nullopt;
 }
 
 }  // namespace kinegraph

@@ -24,6 +24,12 @@ struct Course {
         std::nullopt;  ///< where the drawn position is a change point: which of the branches that leave it
 };
 
+/// Where a body is, against where it is drawn, in m: turned by the angle of (cos, sin), then shifted.
+struct RigidMotion {
+    VectorOf<double> facing{1, 0}, shift{};
+    VectorOf<double> operator()(const VectorOf<double>& drawn) const { return faced(facing, drawn) + shift; }
+};
+
 class Positions {
 public:
     /// The coordinate of a driver, zero as drawn, is its rotation (rad) or slide (m). Drivers outside the course rest
@@ -55,6 +61,10 @@ public:
     double turn(BodyIndex body) const {
         return now(body).turn;
     }  ///< rad, since the drawn pose; continues past a full turn
+    RigidMotion motion(BodyIndex body) const;
+    /// The position in which the driver stops, to be read and not moved: extrapolated from two beside it. `inward`: the
+    /// way to the other end of the travel. None if the limit cannot be approached.
+    std::optional<Positions> at_limit(double limit, double inward) const;
     void read(Places& places) const { rules_.read(numeric().places(), places); }
     /// A place (m) in the body's own frame: where it would be, had the body stayed as drawn.
     VectorOf<double> seen_from(BodyIndex body, const VectorOf<double>& place) const;
@@ -64,6 +74,10 @@ public:
     /// The positions of the bodies in exact numbers: closed within 2^-bits, with the driver exactly at `coordinate`,
     /// which is that of this position. `closure` is of the drawn pose, with as many bits.
     std::vector<BodyPlaceOf<Exact>> refined(const Closure& closure, const Exact& coordinate);
+    /// The same on a change point, or too near to one for refined(): interpolated from positions on both sides, since
+    /// the branch goes on smoothly. None where the driver stops beside it.
+    std::optional<std::vector<BodyPlaceOf<Exact>>> refined_across(const Closure& closure,
+                                                                  const Exact& coordinate) const;
 
     /// How a place and the directions of a joint follow from the positions of the bodies, for code that solves the
     /// closure elsewhere.
@@ -84,6 +98,8 @@ private:
     Positions() = default;
     const closing::NumericClosure& numeric() const { return walk_.closure(); }
     const BodyPlaceOf<double>& now(BodyIndex body) const { return numeric().places()[at_index(body)]; }
+    /// The unknowns by column, refined.
+    std::vector<Exact> refined_state(const Closure& closure, const Exact& coordinate);
 
     double unit_ = 1;            ///< of the closure, m
     std::vector<Exact> shares_;  ///< by driver: its coordinate divided by the course's, in rad and m

@@ -137,14 +137,26 @@ Pose Mover::pose_of(const Mechanism& moved, int bits) const {
 }
 
 Repositioned Mover::moved(Positions& positions, const Exact& coordinate) const {
+    const PlacesOf places = positions.refined(drawn_.closure, coordinate);
+    return moved(positions, places, positions.refined(finer_.closure, coordinate));
+}
+
+std::optional<Repositioned> Mover::moved_across(const Positions& positions, const Exact& coordinate) const {
+    const auto places = positions.refined_across(drawn_.closure, coordinate);
+    const auto finer = places ? positions.refined_across(finer_.closure, coordinate) : std::nullopt;
+    if (!finer) return std::nullopt;
+    return moved(positions, *places, *finer);
+}
+
+Repositioned Mover::moved(const Positions& positions, const PlacesOf& places, const PlacesOf& finer) const {
     Repositioned result;
-    result.mechanism = mechanism_at(drawn_, positions.refined(drawn_.closure, coordinate));
+    result.mechanism = mechanism_at(drawn_, places);
     for (Load& load : result.mechanism.loads)
         if (auto* torsion = std::get_if<TorsionLoad>(&load))
             torsion->turned +=
                 Exact::from_double(positions.turn(torsion->bodies[0]) - positions.turn(torsion->bodies[1]));
     result.pose = pose_of(result.mechanism, drawn_.pose.bits);
-    result.finer = pose_of(mechanism_at(finer_, positions.refined(finer_.closure, coordinate)), finer_.pose.bits);
+    result.finer = pose_of(mechanism_at(finer_, finer), finer_.pose.bits);
     return result;
 }
 

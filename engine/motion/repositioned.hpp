@@ -21,12 +21,16 @@ public:
 
     /// `coordinate`, the driver's, is that of `positions`. Precondition: `positions` is not singular.
     Repositioned moved(Positions& positions, const Exact& coordinate) const;
+    /// The same where `positions` is singular. None where the driver stops beside it.
+    std::optional<Repositioned> moved_across(const Positions& positions, const Exact& coordinate) const;
 
 private:
     struct Drawn {
         Pose pose;
         Closure closure;
     };
+    using PlacesOf = std::vector<BodyPlaceOf<Exact>>;
+    Repositioned moved(const Positions& positions, const PlacesOf& places, const PlacesOf& finer) const;
     Mechanism mechanism_at(const Drawn& drawn, const std::vector<BodyPlaceOf<Exact>>& places) const;
     Pose pose_of(const Mechanism& moved, int bits) const;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "engine/motion/mobility.hpp"
 #include "engine/number/elimination.hpp"
@@ -40,15 +39,10 @@ std::optional<BranchTaken> StartOfWalk::start_at_change_point(const Mechanism& m
                                                               std::optional<std::size_t> asked) {
     const InstantMotion motion = instant_motion_of(mechanism, pose, mobility_of(mechanism, pose));
     if (motion.second_order != InstantMotion::SecondOrder::branches) return std::nullopt;
-    std::vector<std::pair<std::size_t, std::vector<double>>> ways;
     for (std::size_t i = 0; i < motion.branches.size(); ++i) {
         if (asked && *asked != i) continue;
-        if (auto tangent = tangent_of(motion.branches[i])) ways.emplace_back(i, *std::move(tangent));
-    }
-    std::stable_sort(ways.begin(), ways.end(),
-                     [](const auto& a, const auto& b) { return largest(a.second) < (1 - 1e-9) * largest(b.second); });
-    for (const auto& [index, tangent] : ways) {
-        if (start_along(tangent)) return BranchTaken{index, motion.branches.size()};
+        const auto tangent = tangent_of(motion.branches[i]);
+        if (tangent && start_along(*tangent)) return BranchTaken{i, motion.branches.size()};
     }
     return std::nullopt;
 }

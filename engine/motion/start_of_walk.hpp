@@ -23,8 +23,8 @@ public:
     /// Whether the first `drivers` drivers determine a unique motion from the drawn pose. Bodies that nothing
     /// determines stay at rest: their columns are frozen.
     bool start_as_drawn(std::size_t drivers);
-    /// Of the branches that the second order allows, one that a step along it confirms: the requested one, else the one
-    /// on which the bodies move least. None if there is no such branch.
+    /// Of the branches that the second order allows, one that a step along it confirms: the requested one, else the
+    /// first, on which the bodies move least. None if there is no such branch.
     std::optional<BranchTaken> start_at_change_point(const Mechanism& mechanism, const Pose& pose,
                                                      std::optional<std::size_t> asked);
 

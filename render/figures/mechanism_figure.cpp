@@ -124,10 +124,26 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mec
     }
 }
 
+/// All bodies in another position, each a group.
+void draw_position(Sketch& sketch, const Way& way) {
+    const Pen thin{sketch.theme.thin, sketch.theme.skeleton, {}, false};
+    for (const BodyIndex body : sketch.mechanism.moving_bodies()) {
+        sketch.construction.emplace_back(
+            GroupBegin{"position", "", "", {{"data-name", sketch.mechanism.body(body).name}}, none});
+        for (Path& outline : moved_outlines(sketch, body, way.bodies.at(at_index(body)), thin))
+            sketch.construction.emplace_back(std::move(outline));
+        sketch.construction.emplace_back(GroupEnd{});
+    }
+}
+
 /// Other positions are thin, paths of points slightly stronger. `mechanism`: its extent, mm.
 void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
     std::vector<Spot> ends;
     for (const Way& way : ways) {
+        if (way.kind == Way::Kind::position) {
+            draw_position(sketch, way);
+            continue;
+        }
         if (way.kind != Way::Kind::plain) draw_centrode(sketch, way, mechanism, ends);
         if (way.kind != Way::Kind::plain || way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
@@ -475,7 +491,8 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
     const Box mechanism = figure.shows.without_ways = figure.subject.box;
     for (const Way& way : ways)
         for (const Spot spot : spots_of(way, 1))
-            if (way.kind == Way::Kind::plain || contains(room_of(way, mechanism), spot))
+            if (way.kind == Way::Kind::plain || way.kind == Way::Kind::position ||
+                contains(room_of(way, mechanism), spot))
                 figure.subject.box.include(spot);
     return figure.fitted(any_scale);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/motion/positions.hpp"
 #include "engine/sentences/column.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
@@ -29,18 +30,19 @@ struct PlotNotes {
 Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns,
                    int number, double room_x, double room_y, const PlotNotes& notes = {});
 
-/// A line behind a mechanism, in m: its bodies in other positions, the path of a point, a piece of a centrode, or (one
-/// place) the pole in which the centrodes touch.
+/// A line behind a mechanism, in m: all its bodies in another position, the path of a point, a piece of a centrode, or
+/// (one place) the pole in which the centrodes touch.
 struct Way {
     std::string name;
     bool is_path = false;
     std::vector<VectorOf<double>> places;
-    enum class Kind { plain, fixed_centrode, moving_centrode, pole } kind = Kind::plain;
+    enum class Kind { plain, position, fixed_centrode, moving_centrode, pole } kind = Kind::plain;
     bool comes_from_infinity = false, goes_to_infinity = false;  ///< centrode that is cut there
     BodyIndex outline = none;                                    ///< closed outline of this body, in its colours
     bool is_thin = false;                                        ///< an auxiliary path
     RichText label{};                                            ///< at one of its places; empty: none
     std::size_t label_at = 0;                                    ///< index of that place
+    std::vector<RigidMotion> bodies{};  ///< kind position: by BodyIndex; `places` is then what they cover
 };
 /// The mechanism with its paths behind it. Kind and id "mechanism".
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);

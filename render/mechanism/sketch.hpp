@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/motion/positions.hpp"
 #include "render/mechanism/layout.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/labels.hpp"
@@ -66,6 +67,8 @@ void draw_in_colour(Sketch& sketch);
 void draw_in_grey(Sketch& sketch);
 /// The outline of one free body. `Subject::shown` selects its points.
 void draw_alone(Sketch& sketch, BodyIndex body);
+/// The outlines of a body in another position: strokes, blocks, barrels, slots and rims, in its shape as drawn.
+std::vector<Path> moved_outlines(Sketch& sketch, BodyIndex body, const RigidMotion& motion, const Pen& pen);
 
 // Annotations.
 

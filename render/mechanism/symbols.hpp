@@ -23,6 +23,12 @@ void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& mar
 /// Blocks (or pistons) and slots of a body.
 void draw_sliding_parts(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks);
 
+// Outlines.
+
+/// The rims of a shape except arcs; its straight profiles, edges, plate and bars.
+std::vector<Path> rims_in(const Shape& shape, const Pen& pen);
+std::vector<Path> strokes_in(const Shape& shape, const Pen& pen);
+
 // Links.
 
 /// Plate, bars and knife edges in one pen.

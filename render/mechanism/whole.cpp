@@ -37,15 +37,9 @@ void draw_skeleton_of(Sketch& sketch, BodyIndex body, const Pen& thin) {
         if (joint.pair().is_sleeve() && joint.bodies[0] == body && !sketch.cylinder_of(joint))
             marks.emplace_back(panel(sketch.corners_of_block(joint), sketch.theme.paper, thin));
     }
-    for (const Rim& rim : shape.rims)
-        if (rim.form != Rim::Form::arc) marks.emplace_back(circle(rim.centre, rim.radius, thin));
-    const auto draw_line = [&](const Bar& bar) { marks.emplace_back(line(bar.from, bar.to, thin)); };
-    for (const Flat& flat : shape.flats) draw_line(flat.bar);
-    for (const Bar& edge : shape.edges) draw_line(edge);
-    if (!shape.plate.empty()) marks.emplace_back(polyline(shape.plate, thin, true));
-    for (const Bar& bar : shape.bars)
-        if (length(bar) > 1e-6) draw_line(bar);
-    for (const Bar& slot : shape.slots) draw_line(slot);
+    for (Path& rim : rims_in(shape, thin)) marks.emplace_back(std::move(rim));
+    for (Path& stroke : strokes_in(shape, thin)) marks.emplace_back(std::move(stroke));
+    for (const Bar& slot : shape.slots) marks.emplace_back(line(slot.from, slot.to, thin));
 }
 
 /// Draws all heavy strokes twice, wide in the line colour and narrower in the tint, which gives a common outline.
