@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace kinegraph::closing {
 namespace {
@@ -14,6 +16,30 @@ void between(const std::vector<double>& a, const std::vector<double>& va, const 
         q[k] = a[k] + t * width * va[k] + t * t * (3 * rise - width * (2 * va[k] + vb[k])) +
                t * t * t * (width * (va[k] + vb[k]) - 2 * rise);
     }
+}
+
+/// Indices of the values, the largest |value| first.
+std::vector<std::size_t> by_size(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(values[a]) > std::abs(values[b]); });
+    return order;
+}
+
+/// One step of the unknown in a column, by `reach` from a position whose v is over that unknown. False: there is no
+/// position near, or it is far from the prediction and may be on another branch.
+bool step_by(NumericClosure& closure, std::size_t column, const State& from, double slope_from, double reach, State& to,
+             double& slope) {
+    to = from;
+    for (std::size_t k = 0; k < to.q.size(); ++k) to.q[k] += reach * (k == column ? 1 : from.v[k]);
+    to.s += reach * slope_from;
+    const std::vector<double> predicted = to.q;
+    if (!closure.close_at(column, to, slope)) return false;
+    double correction = 0;
+    for (std::size_t k = 0; k < to.q.size(); ++k) correction = std::max(correction, std::abs(to.q[k] - predicted[k]));
+    constexpr double share = 0.2, noise = 1e-9;
+    return correction < share * std::abs(reach) + noise;
 }
 
 }  // namespace
@@ -151,43 +177,58 @@ bool BranchWalk::bridge(State& state) {
     return false;
 }
 
-/// Steps became too small. Parametrised by the unknown that moves fastest, the driver's coordinate reaches an extreme
-/// and reverses: that is the limit. True: the path reaches `towards` after all; that position is then in next_.
+/// Steps became too small. Parametrised by an unknown that moves fast, the driver's coordinate reaches an extreme and
+/// reverses: that is the limit. True: the path reaches `towards` after all; that position is then in next_.
 bool BranchWalk::find_limit(double towards) {
-    std::size_t column = 0;
-    for (std::size_t k = 0; k < here_.v.size(); ++k)
-        if (std::abs(here_.v[k]) > std::abs(here_.v[column])) column = k;
     limit_ = here_.s;
-    if (here_.v[column] == 0) return false;
-    const double way = (towards > here_.s ? 1 : -1) * (here_.v[column] > 0 ? 1 : -1);
-    // The path goes on along its tangent, in steps that begin short: beside a change point it turns sharply, and
-    // another branch is near. ds over the unknown, and the other unknowns over it:
-    double slope_low = 1 / here_.v[column], slope = 0;
-    State low = here_, high = here_;
-    for (double& each : low.v) each *= slope_low;
-    const auto go_on = [&](const State& from, double slope_from, double reach) {
-        high = from;
-        for (std::size_t k = 0; k < high.q.size(); ++k) high.q[k] += reach * (k == column ? 1 : from.v[k]);
-        high.s += reach * slope_from;
-        return closure_.close_at(column, high, slope);
-    };
-    double gone = 0;
-    for (double reach = 1e-7;; reach *= 2) {
-        gone += reach;
-        if (gone > 0.3 || !go_on(low, slope_low, way * reach)) return false;
-        if (slope * slope_low <= 0) break;
-        if ((high.s - towards) * (here_.s - towards) <= 0) {
-            next_.s = towards;
-            next_.q = high.q;
-            if (!closure_.close(next_) || next_.slack < least_slack) return false;
-            closure_.look_along(next_);
-            next_.sign = closure_.sign_of_leading_rows();
-            return true;
+    State high = here_;
+    double slope = 0;
+    // Whether the path, followed first by this unknown, reaches `towards` or its limit; nothing if it cannot be
+    // followed, as by the driver's own unknown.
+    const auto follow = [&](std::size_t column) -> std::optional<bool> {
+        // The position again, by this unknown: nearly singular by the driver's coordinate, it has lost digits. ds over
+        // the unknown, and the other unknowns over it:
+        State low = here_;
+        double slope_low = 0;
+        if (!closure_.close_at(column, low, slope_low)) return std::nullopt;
+        double way = (towards > here_.s ? 1 : -1) * (slope_low > 0 ? 1 : -1);
+        // Steps begin short: beside a change point the path turns sharply, and another branch is near.
+        constexpr double first = 1e-7, shortest = 1e-9, farthest = 0.3, faster = 1.5;
+        double gone = 0, reach = first;
+        while (gone + reach <= farthest) {
+            if (!step_by(closure_, column, low, slope_low, way * reach, high, slope)) {
+                reach /= 4;
+                if (reach < shortest) return std::nullopt;
+                continue;
+            }
+            gone += reach;
+            if (slope * slope_low <= 0) {
+                limit_ = turning_point(column, low, slope_low, high, slope);
+                return false;
+            }
+            if ((high.s - towards) * (here_.s - towards) <= 0) {
+                next_.s = towards;
+                next_.q = high.q;
+                if (!closure_.close(next_) || next_.slack < least_slack) return std::nullopt;
+                closure_.look_along(next_);
+                next_.sign = closure_.sign_of_leading_rows();
+                return true;
+            }
+            low = high;
+            slope_low = slope;
+            reach *= 2;
+            if (const std::size_t k = by_size(low.v).front(); std::abs(low.v[k]) > faster) {
+                way *= low.v[k] > 0 ? 1 : -1;
+                column = k;
+                if (!closure_.close_at(column, low, slope_low)) return std::nullopt;
+            }
         }
-        low = high;
-        slope_low = slope;
-    }
-    limit_ = turning_point(column, low, slope_low, high, slope);
+        return std::nullopt;
+    };
+    constexpr std::size_t most = 6;
+    const std::vector<std::size_t> columns = by_size(here_.v);
+    for (std::size_t i = 0; i < std::min(most, columns.size()) && here_.v[columns[i]] != 0; ++i)
+        if (const auto reaches = follow(columns[i])) return *reaches;
     return false;
 }
 

@@ -115,17 +115,19 @@ RigidMotion Positions::motion(BodyIndex body) const {
     return {at.facing, unit_ * (at.at - faced(at.facing, reference))};
 }
 
-/// Beside a limit at the distance e, positions differ from that at the limit by c √e + O(e): 2 q(e) − q(4e) is free of
-/// the root.
+/// Beside a limit at the distance e, positions are a power series in √e: 3 q(e) − 3 q(4e) + q(9e) is free of its first
+/// two terms.
 std::optional<Positions> Positions::at_limit(double limit, double inward) const {
     // Limits are known to 1e-9, or less well beside a change point.
     for (const double near : {1e-8, 1e-7, 1e-6, 1e-5}) {
-        Positions far = *this;
-        if (!far.move_to(limit + 4 * near * inward)) continue;
-        Positions close = far;
-        if (!close.move_to(limit + near * inward)) continue;
-        std::vector<double> q = close.state();
-        for (std::size_t k = 0; k < q.size(); ++k) q[k] = 2 * q[k] - far.state()[k];
+        Positions close = *this;
+        std::vector<double> q(close.state().size());
+        bool is_reached = true;
+        for (const auto& [steps, share] : {std::pair(9, 1), {4, -3}, {1, 3}}) {
+            is_reached = is_reached && close.move_to(limit + steps * near * inward);
+            for (std::size_t k = 0; k < q.size() && is_reached; ++k) q[k] += share * close.state()[k];
+        }
+        if (!is_reached) continue;
         close.walk_.closure().set_places(q);
         return close;
     }

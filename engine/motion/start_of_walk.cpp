@@ -7,6 +7,21 @@
 #include "engine/number/elimination.hpp"
 
 namespace kinegraph::closing {
+namespace {
+
+/// By how much the rows are off at the current places, those too that Newton's method left out as dependent.
+double largest_excess(const NumericClosure& closure, double s) {
+    const auto facing = [](double angle) { return Spot{std::cos(angle), std::sin(angle)}; };
+    const BodyPlaces& places = closure.places();
+    double largest = 0;
+    for (const NumericClosure::Row& row : closure.rows()) {
+        const double off = excess(row, places[at_index(row.i)], places[at_index(row.j)], facing);
+        largest = std::max(largest, std::abs(off - s * closure.rate(row)));
+    }
+    return largest;
+}
+
+}  // namespace
 
 // --- as drawn
 // -----------------------------------------------------------------------------------------------------------------
@@ -24,7 +39,9 @@ bool StartOfWalk::start_as_drawn(std::size_t drivers) {
     walk_.start_at(drawn_);
     if (rank == closure_.columns()) return true;
     // A body at rest must be free everywhere; at a change point it is free in the drawn pose only.
-    const bool moves = walk_.move_to(walk_.longest_step() / 7);
+    const double step = walk_.longest_step() / 7, as_drawn = largest_excess(closure_, 0);
+    constexpr double rounding = 1e-7;
+    const bool moves = walk_.move_to(step) && largest_excess(closure_, step) < rounding + 4 * as_drawn;
     closure_.unfreeze();
     const bool stays_free = moves && closure_.rank(true) == rank;
     if (stays_free) closure_.freeze_beyond(rank);

@@ -99,8 +99,10 @@ TEST(Positions, LimitsBesideAChangePointAreFound) {
     // Crank 3, follower 4, frame 2: with a coupler of 5 the crank passes a change point, with a longer one it stops
     // beside it on either side, where O4A is the difference of coupler and follower.
     for (const std::string longer :
-         {"0.1", "0.001", "0.00001", "0.0000001", "0.00000001", "0.000000001", "0.0000000001", "0.00000000001"}) {
-        const double reach = 1 + std::stod(longer);
+         {"0.1", "0.001", "0.00001", "0.0000001", "0.00000001", "0.000000001", "0.0000000001", "0.00000000001",
+          "0.000000000001", "0.0000000000001"}) {
+        // 5.000…1 − 4 would lose the digits of what is longer.
+        const double more = std::stod(longer);
         Mechanism mechanism = read(
             R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": {"from": "O", "distance": 3, "angle": 50},
             "Q": [2, 0], "B": {"meet": [{"circle": "A", "radius": 5)" +
@@ -109,7 +111,7 @@ TEST(Positions, LimitsBesideAChangePointAreFound) {
             "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
             {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
             "drivers": [{"body": 2, "omega": 1}]})");
-        const double angle = 2 * std::asin(std::sqrt((reach - 1) * (reach + 1) / 24)), drawn_at = 50 * pi_ / 180;
+        const double angle = 2 * std::asin(std::sqrt(more * (2 + more) / 24)), drawn_at = 50 * pi_ / 180;
         for (const double end : {-2 * pi_, 2 * pi_}) {
             Drawn there = drawn(mechanism);
             ASSERT_FALSE(there.positions.move_to(end)) << longer;
