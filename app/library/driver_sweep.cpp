@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "app/library/driver_choice.hpp"
@@ -105,17 +106,11 @@ public:
                "],\n  \"change points\": " + app::json_list(travel.change_points);
     }
     std::string json_after() const override {
-        std::string poles, separations;
-        for (std::size_t i = 0; i < table.followed.columns.size(); ++i)
-            for (const double at : table.followed.columns[i].poles)
-                poles += (poles.empty() ? "\n    {\"column\": " : ",\n    {\"column\": ") +
-                         json_text(table.columns[i].name) + ", \"at\": " + app::decimal_of(at) + "}";
-        for (const Separation& each : table.followed.separations)
-            separations += (separations.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
-                           json_text(mechanism.joint(each.joint).name) + ", \"from\": " + app::decimal_of(each.from) +
-                           ", \"to\": " + app::decimal_of(each.to) + "}";
-        const auto list = [](const std::string& items) { return "[" + items + (items.empty() ? "]" : "\n  ]"); };
-        return ",\n  \"poles\": " + list(poles) + ",\n  \"separations\": " + list(separations) +
+        std::string flanks;
+        for (const FlankChange& each : cycle_->flank_changes())
+            flanks += (flanks.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
+                      json_text(mechanism.joint(each.joint).name) + ", \"at\": " + app::decimal_of(each.at) + "}";
+        return poles_and_separations_json() + (flanks.empty() ? "" : ",\n  \"flank changes\": [" + flanks + "\n  ]") +
                (centrodes_.empty() ? "" : ",\n  \"centrodes\": " + app::json_of(centrodes_, mechanism));
     }
 
@@ -140,6 +135,9 @@ public:
         for (const Separation& each : table.followed.separations)
             lines.emplace_back(lang::sweeps::the_contact_can_only_push, mechanism.joint(each.joint).name,
                                position_text(each.from), position_text(each.to));
+        for (const FlankChange& each : cycle_->flank_changes())
+            lines.emplace_back(lang::sweeps::teeth_change_flanks, mechanism.joint(each.joint).name,
+                               position_text(each.at));
         if (const auto& left_out = table.left_out; left_out.size() == 1)
             lines.emplace_back(lang::sweeps::n_1_row_is_left_out, position_text(left_out.front()));
         else if (left_out.size() > 1)
@@ -198,6 +196,13 @@ private:
         return {lang::sweeps::it_grows_without_limit, line, places};
     }
 
+    /// Whether the position is nearly singular even away from the limit, where another one is not: then the limit has
+    /// lost digits.
+    bool is_beside_change_point(double limit, double inward) const {
+        Positions beside = cycle_->positions();
+        const double away = 1e-7 * (table.turns ? 1 : beside.size());
+        return !beside.move_to(limit + away * inward) || beside.is_singular();
+    }
     std::vector<Words> lines_on_travel() const {
         std::vector<Words> lines;
         const Travel& travel = table.travel;
@@ -208,6 +213,10 @@ private:
             lines.emplace_back(
                 lang::sweeps::driver_goes, table.driver, coordinate(travel.from), coordinate(travel.to),
                 travel.starts_at_limit ? Words(lang::sweeps::its_limits) : Words(lang::sweeps::its_limit));
+        for (const auto& [is_limit, at, inward] : {std::tuple(travel.starts_at_limit, travel.from, 1.0),
+                                                   std::tuple(travel.ends_at_limit, travel.to, -1.0)})
+            if (is_limit && is_beside_change_point(at, travel.to > travel.from ? inward : -inward))
+                lines.emplace_back(lang::sweeps::limit_beside_a_change_point, coordinate(at));
         const auto& branch = cycle_->positions().branch();
         if (branch)
             lines.emplace_back(lang::sweeps::a_change_point_is_drawn, std::to_string(branch->of),

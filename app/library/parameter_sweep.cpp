@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -14,11 +15,13 @@
 #include "constructions/positions/expression_columns.hpp"
 #include "constructions/positions/followed_columns.hpp"
 #include "constructions/positions/named_results.hpp"
+#include "constructions/positions/pushing_contacts.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sweeps.hpp"
@@ -79,6 +82,61 @@ tl::expected<Variation, Words> values_of(const SweepOptions& options) {
     return values;
 }
 
+/// The unit of the first value, with its factor to SI.
+Unit shown_unit(const Variation& values) {
+    if (values.unit.empty()) return {"", 1};
+    const KnownUnit* known = unit_spelt(values.unit);
+    return {known->symbol == "deg" ? "°" : std::string(known->symbol), known->si};
+}
+
+/// The same angle, within half a turn of the one before.
+double angle_beside(double angle, double before) {
+    constexpr double turn = 2 * std::numbers::pi;
+    return angle + turn * std::round((before - angle) / turn);
+}
+
+/// The column of an input force may contain the value by virtual work if there are no reactions.
+bool is_effort_by_work(const Quantity& held, const Quantity& column) {
+    return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort &&
+           held.given == column.given;
+}
+
+/// Forces, efforts, and expressions (the last columns), which may divide by what vanishes.
+std::vector<std::size_t> columns_with_poles(const std::vector<Column>& columns, std::size_t expressions) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+        const bool is_result = columns[i].kind == Column::Kind::result || columns[i].kind == Column::Kind::along;
+        if (i + expressions >= columns.size() || (is_result && result_kind(columns[i].quantity).is_of_forces()))
+            found.push_back(i);
+    }
+    return found;
+}
+
+/// Some numbers of a row.
+struct SampledRow {
+    double at = 0;
+    FollowedCurve::Values values;
+};
+/// Curves through rows, interrupted at gaps; none through fewer than three.
+std::vector<FollowedCurve> curves_through(const std::vector<SampledRow>& rows, const std::vector<double>& gaps,
+                                          const FollowedCurve::Evaluate& evaluate) {
+    const auto have_gap = [&](double from, double to) {
+        return std::any_of(gaps.begin(), gaps.end(),
+                           [&](double each) { return (each > from && each < to) || (each < from && each > to); });
+    };
+    std::vector<FollowedCurve> curves;
+    for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+        for (end = first + 1; end < rows.size() && !have_gap(rows[end - 1].at, rows[end].at);) ++end;
+        if (end - first < 3) continue;
+        const double from = rows[first].at, to = rows[end - 1].at;
+        std::vector<FollowedCurve::Node> nodes;
+        for (std::size_t i = first; i < end; ++i) nodes.push_back({(rows[i].at - from) / (to - from), rows[i].values});
+        curves.emplace_back(FollowedCurve::Stretch{from, to}, evaluate);
+        curves.back().take(std::move(nodes));
+    }
+    return curves;
+}
+
 class ParameterSweep final : public Sweep::State {
 public:
     ParameterSweep(const MechanismFile::State& file, const SweepOptions& options, Variation values,
@@ -88,7 +146,7 @@ public:
         table.turns = false;
         table.travel.from = si(0);
         table.travel.to = si(values_.count - 1);
-        table.parameter = CycleTable::Parameter{shown_unit(), drawn};
+        table.parameter = CycleTable::Parameter{shown_unit(values_), drawn};
     }
 
     Expected<void> each_row(const See& see, const Progress& progress) override {
@@ -96,8 +154,10 @@ public:
         if (table.rows.empty()) return tl::unexpected(diagnostics_of(fault_));
         if (wrong_columns_) return refused(Diagnostic::Kind::bad_input, *wrong_columns_);
         const std::vector<bool> none_empty(table.columns.size());
-        for (const auto& row : table.rows)
-            if (!see(row, none_empty)) break;
+        for (const auto& row : table.rows) {
+            const auto on_pole = empty_.find(row[0]);
+            if (!see(row, on_pole == empty_.end() ? none_empty : on_pole->second)) break;
+        }
         return {};
     }
 
@@ -105,18 +165,41 @@ public:
         return "\"parameter\": " + json_text(table.driver) + ",\n  \"from\": " + app::decimal_of(table.travel.from) +
                ",\n  \"to\": " + app::decimal_of(table.travel.to);
     }
-    std::string json_after() const override { return {}; }
+    std::string json_after() const override { return poles_and_separations_json(); }
     std::vector<render::Way> finish_table() override {
-        follow_plots();
+        std::vector<std::size_t> plotted;
+        for (const auto& plot : plots)
+            for (const std::size_t column : plot)
+                if (std::find(plotted.begin(), plotted.end(), column) == plotted.end()) plotted.push_back(column);
+        if (const auto followed = curves_of(plotted)) {
+            table.followed.columns.resize(table.columns.size());
+            for (std::size_t i = 0; i < plotted.size(); ++i)
+                table.followed.columns[plotted[i]] = followed->column(i, true);
+        }
         return {};
     }
 
     std::vector<Words> summary() const override {
-        if (left_out_.empty()) return {};
+        std::vector<Words> lines;
+        for (std::size_t i = 0; i < table.followed.columns.size(); ++i) {
+            if (table.columns[i].quantity.kind != Quantity::Kind::effort || table.followed.columns[i].poles.empty())
+                continue;
+            Words places;
+            for (const double at : table.followed.columns[i].poles) {
+                if (!places.empty()) places += Words(std::string(", "));
+                places += coordinate_text(at);
+            }
+            lines.emplace_back(lang::sweeps::effort_grows_without_limit, table.columns[i].name, places);
+        }
+        for (const Separation& each : table.followed.separations)
+            lines.emplace_back(lang::sweeps::the_contact_can_only_push, mechanism.joint(each.joint).name,
+                               coordinate_text(each.from), coordinate_text(each.to));
         if (left_out_.size() == 1)
-            return {{lang::sweeps::n_1_row_is_left_out_where_the, table.driver, left_out_.front()}};
-        return {{lang::sweeps::rows_are_left_out_where_the_file, std::to_string(left_out_.size()), table.driver,
-                 left_out_.front(), left_out_.back()}};
+            lines.emplace_back(lang::sweeps::n_1_row_is_left_out_where_the, table.driver, left_out_.front());
+        else if (left_out_.size() > 1)
+            lines.emplace_back(lang::sweeps::rows_are_left_out_where_the_file, std::to_string(left_out_.size()),
+                               table.driver, left_out_.front(), left_out_.back());
+        return lines;
     }
     LargestDifference::Found difference() const override { return difference_.found(table.columns, size_); }
     /// "r = 40 mm"
@@ -136,6 +219,7 @@ private:
         for (std::uint64_t i = 0; i < values_.count; ++i) {
             if (progress) progress(static_cast<long>(i), static_cast<long>(values_.count));
             if (auto row = row_of(values_.value(i))) {
+                pushes_.emplace(row->front(), here_pushing_);
                 table.rows.push_back(*std::move(row));
             } else {
                 left_out_.push_back(values_.value(i));
@@ -143,60 +227,104 @@ private:
             }
         }
         has_rows = true;
+        if (table.rows.empty()) return;
+        find_gaps();
+        find_poles_and_separations();
+        put_rows_on_poles();
     }
 
-    /// Follows what is plotted between the rows. A value costs a solution, so the rows are the only samples.
-    void follow_plots() {
-        std::vector<std::size_t> whole;
-        for (const auto& plot : plots)
-            for (const std::size_t column : plot)
-                if (std::find(whole.begin(), whole.end(), column) == whole.end()) whole.push_back(column);
-        const auto wanted = [&](const std::vector<double>& row) {
+    // --- between the rows; a value costs a solution, so the rows are the only samples
+
+    /// The row of any value of the parameter, SI.
+    std::optional<std::vector<double>> row_at(double at) {
+        stand_beside(at);
+        return row_of(values_.text_of(Exact::from_double(at / table.parameter->unit.si.to_double())));
+    }
+    /// Angles go on from those of the nearest row.
+    void stand_beside(double at) {
+        last_ = *std::min_element(table.rows.begin(), table.rows.end(), [&](const auto& a, const auto& b) {
+            return std::abs(a[0] - at) < std::abs(b[0] - at);
+        });
+    }
+    /// A value that is left out alone, with answers close to it on both sides, may be a pole; others are gaps.
+    void find_gaps() {
+        const double step = (table.travel.to - table.travel.from) / static_cast<double>(values_.count - 1);
+        for (const double each : table.left_out) {
+            constexpr double close = 1e-3;
+            const bool is_first = std::abs(each - table.travel.from) < std::abs(step) / 2,
+                       is_last = std::abs(each - table.travel.to) < std::abs(step) / 2;
+            if (is_first || is_last || !row_at(each - close * step) || !row_at(each + close * step))
+                gaps_.push_back(each);
+        }
+    }
+    void find_poles_and_separations() {
+        const std::vector<std::size_t> columns = columns_with_poles(table.columns, expressions_.size());
+        const auto followed = curves_of(columns);
+        if (!followed) return;
+        table.followed.columns.resize(table.columns.size());
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            table.followed.columns[columns[i]] = followed->column(i, false);
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            for (const auto& [from, to] : followed->negative(columns.size() + i))
+                table.followed.separations.push_back({contacts_[i].joint, from, to});
+    }
+    /// The columns, and behind them the forces with which contacts push; none where there are too few rows.
+    std::optional<FollowedColumns> curves_of(const std::vector<std::size_t>& columns) {
+        const auto wanted = [&](const std::vector<double>& row, const std::vector<double>& pushing) {
             FollowedCurve::Values found;
-            for (const std::size_t i : whole) found.values.push_back(row[i]);
+            for (const std::size_t i : columns) found.values.push_back(row[i]);
+            found.values.insert(found.values.end(), pushing.begin(), pushing.end());
             return found;
         };
-        const auto evaluate = [&](double at) -> std::optional<FollowedCurve::Values> {
-            // Angles go on from those of the row beside.
-            last_ = *std::min_element(table.rows.begin(), table.rows.end(), [&](const auto& a, const auto& b) {
-                return std::abs(a[0] - at) < std::abs(b[0] - at);
-            });
-            const auto row = row_of(values_.text_of(Exact::from_double(at / table.parameter->unit.si.to_double())));
-            return row ? std::optional(wanted(*row)) : std::nullopt;
+        const auto evaluate = [this, wanted](double at) -> std::optional<FollowedCurve::Values> {
+            const auto row = row_at(at);
+            return row ? std::optional(wanted(*row, here_pushing_)) : std::nullopt;
         };
-        std::vector<FollowedCurve> curves;
-        const auto is_left_out = [&](double from, double to) {
-            return std::any_of(table.left_out.begin(), table.left_out.end(),
-                               [&](double each) { return (each > from && each < to) || (each < from && each > to); });
-        };
-        for (std::size_t first = 0, end = 0; first < table.rows.size(); first = end) {
-            const auto at = [&](std::size_t i) { return table.rows[i][0]; };
-            for (end = first + 1; end < table.rows.size() && !is_left_out(at(end - 1), at(end));) ++end;
-            if (end - first < 3) continue;
-            std::vector<FollowedCurve::Node> nodes;
-            for (std::size_t i = first; i < end; ++i)
-                nodes.push_back({(at(i) - at(first)) / (at(end - 1) - at(first)), wanted(table.rows[i])});
-            curves.emplace_back(FollowedCurve::Stretch{at(first), at(end - 1)}, evaluate);
-            curves.back().take(std::move(nodes));
+        std::vector<SampledRow> samples;
+        for (const auto& row : table.rows)
+            if (empty_.count(row[0]) == 0) samples.push_back({row[0], wanted(row, pushes_.at(row[0]))});
+        auto curves = curves_through(samples, gaps_, evaluate);
+        if (curves.empty()) return std::nullopt;
+        return FollowedColumns(std::move(curves));
+    }
+    /// A row that has no answer because some columns have a pole there: their cells are empty. Forces without a pole
+    /// are interpolated from four values beside it; the rest is what the file gives there.
+    void put_rows_on_poles() {
+        const double travel = table.travel.to - table.travel.from;
+        std::vector<std::vector<double>> found;
+        for (std::size_t k = left_out_.size(); k-- > 0;) {
+            const double at = table.left_out[k];
+            std::vector<bool> empty(table.columns.size());
+            for (std::size_t i = 0; i < table.followed.columns.size(); ++i)
+                empty[i] = table.followed.columns[i].is_pole(at, travel);
+            if (std::find(empty.begin(), empty.end(), true) == empty.end()) continue;
+            std::vector<bool> missing(empty.size());
+            stand_beside(at);
+            auto row = row_of(left_out_[k], &missing);
+            const auto beside = row ? interpolated(at, 1e-4 * travel) : std::nullopt;
+            if (!beside) continue;
+            for (std::size_t i = 0; i < row->size(); ++i) {
+                if (empty[i] || missing[i]) (*row)[i] = empty[i] ? 0 : (*beside)[i];
+            }
+            empty_.emplace(row->front(), std::move(empty));
+            found.push_back(*std::move(row));
+            left_out_.erase(left_out_.begin() + static_cast<std::ptrdiff_t>(k));
+            table.left_out.erase(table.left_out.begin() + static_cast<std::ptrdiff_t>(k));
         }
-        if (curves.empty()) return;
-        const FollowedColumns followed(std::move(curves));
-        table.followed.columns.resize(table.columns.size());
-        for (std::size_t i = 0; i < whole.size(); ++i) table.followed.columns[whole[i]] = followed.column(i, true);
+        for (auto& row : found) table.rows.push_back(std::move(row));
+        std::sort(table.rows.begin(), table.rows.end(),
+                  [&](const auto& a, const auto& b) { return travel > 0 ? a[0] < b[0] : a[0] > b[0]; });
+    }
+    std::optional<std::vector<double>> interpolated(double at, double step) {
+        std::vector<double> sum(table.columns.size());
+        for (const auto& [steps, share] : {std::pair(-2, -1), {-1, 4}, {1, 4}, {2, -1}}) {
+            const auto row = row_at(at + steps * step);
+            if (!row) return std::nullopt;
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * (*row)[i] / 6;
+        }
+        return sum;
     }
 
-    /// The unit of the first value, with its factor to SI.
-    Unit shown_unit() const {
-        if (values_.unit.empty()) return {"", 1};
-        const KnownUnit* known = unit_spelt(values_.unit);
-        return {known->symbol == "deg" ? "°" : std::string(known->symbol), known->si};
-    }
-
-    /// The column of an input force may contain the value by virtual work if there are no reactions.
-    static bool is_effort_by_work(const Quantity& held, const Quantity& column) {
-        return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort &&
-               held.given == column.given;
-    }
     /// Compares the row of a value with the check.
     void hold_against_check(const Solution& solution, const std::vector<double>& row) {
         size_ = std::max(size_, solution.pose.size.to_double());
@@ -213,8 +341,9 @@ private:
         }
     }
 
-    /// The results for one value; empty if there are none.
-    std::optional<std::vector<double>> row_of(const std::string& value) {
+    /// The results for one value; empty if there are none. With `missing`, by column whether it has no result, a part
+    /// of them will do.
+    std::optional<std::vector<double>> row_of(const std::string& value, std::vector<bool>* missing = nullptr) {
         const auto note = [&](Errors errors) {
             if (fault_.empty()) fault_ = std::move(errors);
             return std::nullopt;
@@ -226,7 +355,7 @@ private:
         if (!varied) return note(varied.error());
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
-        if (!solution->unsolved.empty())
+        if (!solution->unsolved.empty() && missing == nullptr)
             return note({{ErrorCode::no_unique_answer, {}, {lang::sweeps::no_value_has_a_unique_answer}}});
         std::vector<NamedResult> results = named_results(*solution);
         std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
@@ -236,23 +365,37 @@ private:
             const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& each) {
                 return each.column.name == table.columns[i].name;
             });
-            if (found == results.end()) return std::nullopt;
+            if (found == results.end() && missing == nullptr) return std::nullopt;
+            if (found == results.end()) {
+                (*missing)[i] = true;
+                row.push_back(0);
+                continue;
+            }
             row.push_back(table.columns[i].kind == Column::Kind::angle && !last_.empty()
-                              ? beside(found->value, last_[i])
+                              ? angle_beside(found->value, last_[i])
                               : found->value);
         }
-        last_ = row;
-        hold_against_check(*solution, row);
+        if (missing == nullptr) {
+            last_ = row;
+            hold_against_check(*solution, row);
+            here_pushing_.clear();
+            for (const PushingContact& each : contacts_)
+                here_pushing_.push_back(each.push(row, each.sense(solution->mechanism, solution->pose)));
+        }
         row.resize(table.columns.size());
         std::vector<double> noise(row.size());
         expressions_.fill(row, noise);
-        for (std::size_t i = 0; i < row.size(); ++i)
-            if (expressions_.is_undetermined(i)) return std::nullopt;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (expressions_.is_undetermined(i) && missing == nullptr) return std::nullopt;
+            if (missing != nullptr && (expressions_.is_undetermined(i) || expressions_.lacks_part(i, *missing)))
+                (*missing)[i] = true;
+        }
         return row;
     }
     void choose_columns(const std::vector<NamedResult>& results) {
         table.columns.push_back({Column::Kind::named, {}, table.driver, QuantityKind::dimensionless});
         for (const NamedResult& each : results) table.columns.push_back(each.column);
+        contacts_ = pushing_contacts(mechanism, table.columns);
         const std::size_t own = table.columns.size();
         const auto add = [this](const ResultExpression& expression) {
             return expressions_.add(expression, table.columns);
@@ -265,12 +408,6 @@ private:
         else if (!wrong_columns_)
             wrong_columns_ = columns.error();
     }
-    /// The same angle, within half a turn of the one before.
-    static double beside(double angle, double before) {
-        constexpr double turn = 2 * std::numbers::pi;
-        return angle + turn * std::round((before - angle) / turn);
-    }
-
     SourceFile file_;
     SweepOptions options_;
     ExpressionColumns expressions_;
@@ -280,7 +417,12 @@ private:
     double size_ = 0;  ///< of the largest drawing, m
     std::vector<double> last_;
     std::vector<std::string> left_out_;
-    Errors fault_;  ///< of the first value that fails
+    std::vector<double> gaps_;                   ///< left out, and no poles
+    std::map<double, std::vector<bool>> empty_;  ///< of rows on poles, by value: the columns without one
+    std::vector<PushingContact> contacts_;
+    std::vector<double> here_pushing_;              ///< their forces at the value solved last, N
+    std::map<double, std::vector<double>> pushes_;  ///< the same of each row, by value
+    Errors fault_;                                  ///< of the first value that fails
 };
 
 /// Why the parameter cannot have these values; empty if it can, or if a formula gives it.

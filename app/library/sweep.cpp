@@ -60,6 +60,20 @@ tl::expected<void, Words> Sweep::State::choose_shown(const std::string& names, s
     return {};
 }
 
+std::string Sweep::State::poles_and_separations_json() const {
+    std::string poles, separations;
+    for (std::size_t i = 0; i < table.followed.columns.size(); ++i)
+        for (const double at : table.followed.columns[i].poles)
+            poles += (poles.empty() ? "\n    {\"column\": " : ",\n    {\"column\": ") +
+                     json_text(table.columns[i].name) + ", \"at\": " + app::decimal_of(at) + "}";
+    for (const Separation& each : table.followed.separations)
+        separations += (separations.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
+                       json_text(mechanism.joint(each.joint).name) + ", \"from\": " + app::decimal_of(each.from) +
+                       ", \"to\": " + app::decimal_of(each.to) + "}";
+    const auto list = [](const std::string& items) { return "[" + items + (items.empty() ? "]" : "\n  ]"); };
+    return ",\n  \"poles\": " + list(poles) + ",\n  \"separations\": " + list(separations);
+}
+
 Sweep::Sweep(State* state) : state_(state) {}
 Sweep::Sweep(Sweep&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
 Sweep& Sweep::operator=(Sweep&& other) noexcept {

@@ -156,7 +156,8 @@ std::vector<render::Way> ways_of(const Mechanism& mechanism, const Pose& pose, c
                                  const Travel& travel, int poses, const std::vector<Trace>& traces) {
     std::vector<render::Way> ways;
     for (OtherPosition& other : other_positions(positions, travel, poses)) {
-        render::Way way{.kind = render::Way::Kind::position};
+        render::Way way;
+        way.kind = render::Way::Kind::position;
         for (const BodyIndex body : mechanism.moving_bodies())
             for (const VectorOf<double>& place : places_covered(mechanism.body(body), pose))
                 way.places.push_back(other.bodies[at_index(body)](place));

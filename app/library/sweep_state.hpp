@@ -43,6 +43,9 @@ struct Sweep::State {
     tl::expected<void, Words> choose_shown(const std::string& names, std::size_t own, const app::AddColumn& add,
                                            const std::string& dashes);
 
+    /// The members "poles" and "separations" of the JSON.
+    std::string poles_and_separations_json() const;
+
     Mechanism mechanism;
     CycleTable table;
     std::vector<std::size_t> shown;               ///< columns of the rows

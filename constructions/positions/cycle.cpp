@@ -95,6 +95,7 @@ public:
             values_.resize(columns_.size());
             empty_.assign(columns_.size(), false);
             contacts_ = pushing_contacts(mechanism_, columns_);
+            teeth_ = meshing_teeth(mechanism_, columns_);
             solution.mechanism.find = mechanism_.find;
             check_.begin(solution.mechanism, solution.pose);
             has_forces_ = !solution.forces.empty() || !solution.efforts.empty();
@@ -151,6 +152,13 @@ public:
         for (std::size_t i = 0; is_first && i < contacts_.size(); ++i)
             for (const auto& [from, to] : columns.negative(watched.size() + i))
                 followed_.separations.push_back({contacts_[i].joint, from, to});
+        for (std::size_t i = 0; is_first && i < teeth_.size(); ++i)
+            for (const auto& [from, to] : columns.negative(watched.size() + contacts_.size() + i))
+                for (const double each : {from, to}) {
+                    constexpr double same = 1e-9;
+                    const double off = std::min(std::abs(each - travel.at(0)), std::abs(each - travel.at(1)));
+                    if (off > same * std::abs(travelled_)) flank_changes_.push_back({teeth_[i].joint, each});
+                }
     }
     std::size_t add(const ResultExpression& expression) {
         const std::size_t column = expressions_.add(expression, columns_);
@@ -159,6 +167,7 @@ public:
         return column;
     }
     const FollowedCycle& followed() const { return followed_; }
+    const std::vector<FlankChange>& flank_changes() const { return flank_changes_; }
     const std::vector<bool>& empty_cells() const { return empty_; }
 
     /// Near a limit positions vary as the root of the distance from it. Two positions, one four times as far as the
@@ -247,7 +256,7 @@ private:
     }
 
     // --- columns as functions
-    /// The watched columns, and after them the forces with which contacts push.
+    /// The watched columns, and after them the forces with which contacts push, and those that teeth transmit.
     std::optional<FollowedCurve::Values> values_at(double at, const std::vector<std::size_t>& watched) {
         if (!find_values(at)) return std::nullopt;
         const auto lacks_value = [&](std::size_t column) { return expressions_.is_undetermined(column); };
@@ -262,6 +271,10 @@ private:
         }
         for (const PushingContact& each : contacts_) {
             found.values.push_back(each.push(values_, givens_, places_));
+            found.grains.push_back(grains * noise_of_forces);
+        }
+        for (const PushingContact& each : teeth_) {
+            found.values.push_back(each.push(values_, places_.tangents[at_index(each.joint)]));
             found.grains.push_back(grains * noise_of_forces);
         }
         return found;
@@ -390,7 +403,8 @@ private:
     std::vector<double> values_;
     std::vector<double> noise_;  ///< by column: smaller values of this row are zero
     std::vector<bool> empty_;    ///< by column: none in this row
-    std::vector<PushingContact> contacts_;
+    std::vector<PushingContact> contacts_, teeth_;
+    std::vector<FlankChange> flank_changes_;
     FollowedCycle followed_;
     double travelled_ = 0;  ///< from end to end, when followed_ was found
     bool has_forces_ = false, is_checked_ = true;
@@ -419,6 +433,7 @@ const FollowedCycle& Cycle::follow(const Travel& travel, const std::vector<std::
     return rows_->follow(travel, whole);
 }
 const FollowedCycle& Cycle::followed() const { return rows_->followed(); }
+const std::vector<FlankChange>& Cycle::flank_changes() const { return rows_->flank_changes(); }
 const std::vector<bool>& Cycle::empty_cells() const { return rows_->empty_cells(); }
 std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) {
     return rows_->at_limit(limit, inward);

@@ -43,6 +43,12 @@ std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Po
 
 class ResultExpression;
 
+/// Where the force that teeth transmit changes its sign, so that their other flanks push. `at` as in Travel::at.
+struct FlankChange {
+    JointIndex joint;
+    double at = 0;
+};
+
 class Cycle {
 public:
     /// `mechanism` and `pose` must outlive the cycle. Rates are the file's at every position; those of the course's
@@ -72,6 +78,8 @@ public:
     /// empty cells on poles. Call it after begin(); again for further columns, which changes nothing of the others.
     const FollowedCycle& follow(const Travel& travel, const std::vector<std::size_t>& whole);
     const FollowedCycle& followed() const;  ///< empty unless follow() was called
+    /// Gear by gear, in order; empty unless follow() was called.
+    const std::vector<FlankChange>& flank_changes() const;
     /// By column: whether the last row has no value there, since the quantity grows without limit. It then contains 0.
     const std::vector<bool>& empty_cells() const;
 

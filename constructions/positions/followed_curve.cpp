@@ -245,9 +245,11 @@ std::optional<FollowedCurve::Crossing> FollowedCurve::crossing_in(std::size_t i,
     const double reach = (at.b - at.a) / 4;
     for (int turn = 0; turn < 12; ++turn) {
         for (int k = 0; k < 4; ++k) {
-            const double t = (at.a + at.b) / 2;
-            const auto here = value(i, t);
-            // Only at a pole there is no value between two values.
+            double t = (at.a + at.b) / 2;
+            auto here = value(i, t);
+            // Only at a pole there is no value between two values. The middle may be one by chance.
+            constexpr double odd = 0.381966;
+            if (!here && at.b - at.a >= 1e-9) here = value(i, t = at.a + odd * (at.b - at.a));
             if (!here)
                 return std::abs(at.b - at.a) < 1e-9 && grows_towards(i, t, reach) ? std::optional(crossing(t, true))
                                                                                   : std::nullopt;

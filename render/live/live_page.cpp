@@ -2,6 +2,7 @@
 #include "render/live/live_page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -13,6 +14,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
+#include "lang/keys/library.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/backends/backends.hpp"
@@ -403,6 +405,11 @@ private:
 
     std::string sheet(Language language) {
         std::string out = element("h1", "", escaped(title_of(solution_, language)));
+        if (const std::string& cam = solution_.mechanism.cam_file; !cam.empty()) {
+            std::string note = Words(lang::library::this_is_one_position, cam).in(language);
+            note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+            out += element("p", "class=\"note\"", escaped(note + "."));
+        }
         out += element("div", "class=\"figures\"", figures(language));
         out += element("div", "class=\"text\"",
                        steps(language) + equations(language) + values(language) + results(language));

@@ -1,6 +1,7 @@
 // sweep and solve --at, as a user meets them.
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -414,6 +415,111 @@ TEST_F(Sweep, AZeroOverAParameterIsTheSameForAnySteps) {
     }
 }
 
+TEST_F(Sweep, PolesOverAParameterAreFoundBetweenTheRowsAndOnThem) {
+    // A couple on the crank is balanced by a force on the slider: none can, where the crank lies along the guide.
+    write("crank.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "parameters": {"a": "40°"}, "frame": 1,
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": "= a"},
+        "B": {"meet": [{"circle": "A", "radius": 150}, {"line": "O", "angle": 0}], "near": [200, 0]}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 2, "omega": 10}], "loads": [{"couple": "M", "body": 2, "value": "10 N m"}],
+        "effort": {"force": "F", "body": 4, "at": "B", "along": 0}, "find": ["velocity", "forces"]})");
+    for (const std::string steps : {"33", "34", "100"}) {
+        SCOPED_TRACE(steps);
+        const Outcome swept = run("sweep crank.json --over a --from 10° --to 350° --steps " + steps +
+                                  " --plot 'effort F' -o a.json -o a.svg");
+        ASSERT_EQ(swept.status, 0) << swept.err;
+        EXPECT_NE(swept.err.find("effort F grows without limit at a = 180°"), std::string::npos) << swept.err;
+        const Json json = Json::parse(contents(folder_ / "a.json"));
+        const auto pole = std::find_if(json["poles"].begin(), json["poles"].end(),
+                                       [](const Json& each) { return each["column"] == "effort F"; });
+        ASSERT_NE(pole, json["poles"].end());
+        EXPECT_NEAR((*pole)["at"], std::numbers::pi, 1e-8);
+        ASSERT_EQ(json["rows"].size(), std::stoul(steps) + 1) << "no row is left out";
+        const std::size_t column = static_cast<std::size_t>(
+            std::find(json["columns"].begin(), json["columns"].end(), "effort F") - json["columns"].begin());
+        const std::size_t place = static_cast<std::size_t>(
+            std::find(json["columns"].begin(), json["columns"].end(), "x B") - json["columns"].begin());
+        ASSERT_LT(std::max(column, place), json["columns"].size());
+        for (const Json& row : json["rows"]) {
+            const double a = row[0];
+            EXPECT_EQ(row[column].is_null(), std::abs(a - std::numbers::pi) < 1e-9);
+            EXPECT_NEAR(row[place], 0.05 * std::cos(a) + std::sqrt(0.0225 - 0.0025 * std::sin(a) * std::sin(a)), 1e-12);
+        }
+        const std::string svg = contents(folder_ / "a.svg");
+        EXPECT_NEAR(number_after(svg, "data-value", svg.find("class=\"asymptote\"")), 180, 1e-6);
+        EXPECT_NE(svg.find("without limit"), std::string::npos);
+    }
+}
+
+TEST_F(Sweep, OverASpeedTheJumpSpeedOfAFollowerIsFound) {
+    // The spring presses with k (17.5 mm + y), the follower needs m ω² y; y = 12 mm.
+    write("cam.json", R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 0,
+        "parameters": {"n": "300 rpm"},
+        "points": {"O": [0, 0], "C": [9, 12], "P": [9, 52], "F": [0, 52], "H": [0, 87], "K": [0, 160]},
+        "bodies": {"2": {"points": ["O", "C"], "circle": {"centre": "C", "radius": 40}}, "3": ["F", "H"], "0": ["K"]},
+        "joints": [{"revolute": "O", "bodies": [0, 2]},
+        {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": 0}}, "pushes": [0, 1]},
+        {"prismatic": "H", "bodies": [3, 0], "along": 90}], "drivers": [{"body": 2, "omega": "= n"}],
+        "masses": {"3": {"mass": 0.9, "centre": "H"}}, "inertia forces": true,
+        "loads": [{"spring": "S", "bodies": [3, 0], "between": ["H", "K"], "stiffness": 1000, "free length": 102.5}],
+        "effort": {"couple": "M", "body": 2}})");
+    const double jump = std::sqrt(1000 * 0.0295 / (0.9 * 0.012));
+    for (const std::string steps : {"4", "9"}) {
+        const Outcome swept =
+            run("sweep cam.json --over n --from '100 rpm' --to '900 rpm' --steps " + steps + " -o a.json -o a.svg");
+        ASSERT_EQ(swept.status, 0) << swept.err;
+        const Json found = Json::parse(contents(folder_ / "a.json"))["separations"];
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0]["joint"], "P");
+        EXPECT_NEAR(found[0]["from"], jump, 1e-7);
+        EXPECT_NEAR(found[0]["to"], 900 * std::numbers::pi / 30, 1e-9);
+        EXPECT_NE(swept.err.find("the contact P can only push, and would have to pull from n = 499.0"),
+                  std::string::npos)
+            << swept.err;
+        EXPECT_NE(contents(folder_ / "a.svg").find("class=\"separation\""), std::string::npos);
+    }
+}
+
+TEST_F(Sweep, ALimitBesideAChangePointIsSaidToBeRough) {
+    // Crank 3, follower 4, frame 2: with a coupler of 5 there is a change point.
+    const auto swept = [&](const std::string& coupler) {
+        write("near.json", R"({"kinegraph": 1, "frame": "1", "points": {"O": [0, 0],
+            "A": {"from": "O", "distance": 3, "angle": 50}, "Q": [2, 0],
+            "B": {"meet": [{"circle": "A", "radius": )" +
+                               coupler + R"(}, {"circle": "Q", "radius": 4}], "side": "left"}},
+            "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
+            "joints": [{"revolute": "O", "bodies": ["1", "2"]}, {"revolute": "A", "bodies": ["2", "3"]},
+            {"revolute": "B", "bodies": ["3", "4"]}, {"revolute": "Q", "bodies": ["1", "4"]}],
+            "drivers": [{"body": "2", "omega": 1}]})");
+        return run("sweep near.json --steps 8").err;
+    };
+    EXPECT_NE(swept("5.00000000000001").find("this limit is known to 1e-6 only"), std::string::npos);
+    for (const char* coupler : {"5.5", "5.001", "5.000001", "5.000000001"})
+        EXPECT_EQ(swept(coupler).find("known to"), std::string::npos) << coupler;
+}
+
+TEST_F(Sweep, TeethChangeFlanksWhereTheirForceChangesItsSign) {
+    // The wheel's centre of mass stands at 30° − φ/2: its weight has no moment at −90°.
+    write("gears.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 0,
+        "points": {"O": [0, 0], "Q": [60, 0], "P": [20, 0], "G": {"from": "Q", "distance": 10, "angle": 30}},
+        "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 20}},
+        "3": {"points": ["Q", "G"], "circle": {"centre": "Q", "radius": 40}}},
+        "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "Q", "bodies": [0, 3]},
+        {"gear": "P", "bodies": [2, 3], "pressure angle": 20}], "drivers": [{"body": 2, "omega": 1}],
+        "masses": {"3": {"mass": 2, "centre": "G"}}, "gravity": [0, -9.81], "effort": {"couple": "M", "body": 2}})");
+    for (const std::string steps : {"10", "36"}) {
+        const Outcome swept = run("sweep gears.json -o a.json --steps " + steps);
+        ASSERT_EQ(swept.status, 0) << swept.err;
+        const Json found = Json::parse(contents(folder_ / "a.json"))["flank changes"];
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0]["joint"], "P");
+        EXPECT_NEAR(found[0]["at"], 4 * std::numbers::pi / 3, 1e-8);
+        EXPECT_NE(swept.err.find("at 240° the teeth of P change flanks"), std::string::npos) << swept.err;
+    }
+}
+
 TEST_F(SolveAt, SolvesInTheOtherPosition) {
     const Outcome at = run("solve four_bar.json --at 30° --format json");
     ASSERT_EQ(at.status, 0) << at.err;
@@ -454,7 +560,31 @@ TEST_F(SolveAt, SaysWhatIsWrong) {
     EXPECT_TRUE(lines_are(run("solve four_bar.json --at 3kg").err,
                           R"(four_bar\.json: --at: "3kg" is a mass; an angle is wanted here)"));
     EXPECT_EQ(run("solve four_bar.json --at every 0").status, 2);
-    EXPECT_EQ(run("solve parallel_crank.json --at 126.869897645844°").status, 3);
+}
+
+TEST_F(SolveAt, AChangePointIsSolvedAsIfItWereDrawn) {
+    // Crank and frame in line: the crank turns by 110° from 70°.
+    write("anti.json", contents(example_file("antiparallelogram")));
+    const Outcome at = run("solve anti.json --at 110° --format json");
+    EXPECT_EQ(at.status, 3) << "as a change point that is drawn";
+    write("drawn.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+        "points": {"O2": [0, 0], "O4": [60, 0], "A": [-100, 0], "B": [-40, 0]},
+        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
+        "drivers": [{"body": 2, "omega": 10}]})");
+    const Json found = Json::parse(at.out), drawn = Json::parse(run("solve drawn.json --format json").out);
+    ASSERT_EQ(found["branches"].size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i)
+        for (const char* body : {"3", "4"})
+            EXPECT_NEAR(found["branches"][i]["ratios"][body], drawn["branches"][i]["ratios"][body], 1e-12);
+    EXPECT_EQ(found["unsolved"], drawn["unsolved"]);
+    EXPECT_EQ(found["instant centres"].size(), drawn["instant centres"].size());
+    // Beside it, too near for doubles, the motion goes on smoothly: both cranks turn alike.
+    const Outcome beside = run("solve parallel_crank.json --at 126.869897645844° --format json");
+    ASSERT_EQ(beside.status, 0) << beside.err;
+    const Json bodies = Json::parse(beside.out)["bodies"];
+    EXPECT_NEAR(bodies["4"]["omega"], bodies["2"]["omega"].get<double>(), 1e-9);
 }
 
 }  // namespace
