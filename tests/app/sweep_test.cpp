@@ -192,6 +192,18 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     EXPECT_EQ(run("solve at.json --format json").status, 0);
     EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
     EXPECT_EQ(run("solve at.json -o at.svg").err, "") << "its own file is no matter for remarks";
+    // It is one position: the live page stands still, and says on itself which file gives the others.
+    const Outcome page = run("solve at.json -o at.html");
+    EXPECT_EQ(page.status, 0) << page.err;
+    EXPECT_NE(page.err.find("this is one position of the cam of cam.json"), std::string::npos) << page.err;
+    const std::string html = contents(folder_ / "at.html");
+    EXPECT_NE(html.find("<p class=\"note\">This is one position of the cam of cam.json"), std::string::npos);
+    EXPECT_EQ(html.find("\"moving\":{"), std::string::npos);
+    for (const char* refused : {"sweep at.json", "solve at.json --at 10°"}) {
+        const Outcome stays = run(refused);
+        EXPECT_EQ(stays.status, 2) << refused;
+        EXPECT_NE(stays.err.find("kinegraph cam cam.json"), std::string::npos) << stays.err;
+    }
     const auto before = snapshot();
     for (const char* wrong :
          {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
