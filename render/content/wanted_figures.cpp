@@ -60,8 +60,6 @@ std::size_t polygons_of(const Solution& solution) {
     return static_cast<std::size_t>(count) + solution.taken_together.size();
 }
 
-double size_of(const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); }
-
 /// Whether an input force or couple was found by virtual work, for which the lever is the construction.
 bool found_by_works(const Solution& solution) {
     return std::any_of(
@@ -135,29 +133,23 @@ void WantedFigures::collect_forces(bool joukowsky) {
     if (s.truss) add_truss();
     if (s.free_bodies.empty()) {
         add_polygons_of_bodies(context_);
-        return keep_larger_to_small_ones();
+        return;
     }
     add_lines_of_action();
     if (has_force_polygons(s))
-        add_force_polygons("forces", "forces", extent_of_forces(s),
-                           [this](double x, double y, std::optional<double> scale, bool fixed) {
-                               return force_polygons_figure(context_, x, y, scale, fixed);
-                           });
+        add_force_polygons("forces", "forces", extent_of_forces(s), [this](Spot room, const ScaleWish& wish) {
+            return force_polygons_figure(context_, room.x, room.y, wish);
+        }).is_row = true;
     add_polygons_of_bodies(context_);
     if (s.superposition) add_superposition();
     for (const int p : closed_polygons(s)) {
         const PolygonScene scene = polygon_scene(s, p);
         add_force_polygons("closure", scene.id, rectangle(0, 0, scene.width(), scene.height()),
-                           [this, p](double x, double y, std::optional<double> scale, bool fixed) {
-                               return closed_polygon_figure(context_, p, x, y, scale, fixed);
+                           [this, p](Spot room, const ScaleWish& wish) {
+                               return closed_polygon_figure(context_, p, room.x, room.y, wish);
                            });
-        know_strokes(list.back(),
-                     [this, p](double scale) { return strokes_of_force_polygon(context_, p, true, scale); });
-        list.back().rim_x = 16;
-        list.back().rim_y = 12;
     }
     keep_forces_readable();
-    keep_larger_to_small_ones();
     add_free_bodies();
     if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
     Wanted lever;
@@ -166,19 +158,8 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.extent_y = extent_of_lever(s).height();
     lever.rim_x = lever.rim_y = 40;  // forces on both sides
     lever.least = 20;
-    lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
+    lever.draw = [this](Spot room, const ScaleWish& wish) { return joukowsky_figure(context_, room.x, room.y, wish); };
     add(std::move(lever));
-}
-
-/// Only the space for letters is an estimate then.
-void WantedFigures::know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes) {
-    wanted.strokes = [strokes = std::move(strokes), known = std::map<double, Spot>{}](double scale) mutable {
-        const auto [found, fresh] = known.try_emplace(scale);
-        if (fresh) found->second = strokes(scale);
-        return found->second;
-    };
-    wanted.rim_x = 6;
-    wanted.rim_y = wanted.to_force_scale ? 9 : 3;
 }
 
 /// The polygons of single bodies, then those of bodies taken together.
@@ -186,14 +167,11 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
     const Solution& s = context.solution;
     const auto add_polygon = [&](const std::string& name, int polygon) {
         const PolygonScene scene = polygon_scene(s, polygon);
-        const DrawForces draw = [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
-            return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
-        };
-        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()), draw);
-        know_strokes(list.back(), [&context, polygon](double scale) {
-            return strokes_of_force_polygon(context, polygon, false, scale);
-        });
-        list.back().larger = at_own_scale(draw);
+        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()),
+                           [&context, polygon](Spot room, const ScaleWish& wish) {
+                               return force_polygons_figure(context, room.x, room.y, wish, false, polygon);
+                           })
+            .may_be_larger = true;
     };
     for (const FreeBody& body : s.free_bodies) {
         if (!has_force_polygon(s, body)) continue;
@@ -218,9 +196,9 @@ void WantedFigures::add_superposition() {
         if (detail_ == SolutionDetail::full || has_meets(alone.solution, false)) {
             Wanted lines = mechanism("lines-load-" + load, false);
             lines.asked.reset();
-            lines.rim_x = 34;
-            lines.rim_y = 40;
-            lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
+            lines.draw = [&alone, load](Spot room, const ScaleWish& wish) {
+                return mechanism_with_forces(alone, room.x, room.y, load, wish);
+            };
             add(std::move(lines));
         }
         if (detail_ == SolutionDetail::full)
@@ -228,30 +206,19 @@ void WantedFigures::add_superposition() {
                 if (has_force_polygon(alone.solution, alone.solution.free_bodies[b])) add_free_body(alone, b, load);
         const std::size_t count = polygons_of(alone.solution);
         if (count == 0) continue;
-        const DrawForces draw = [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
-            Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
-            figure.id = "forces-load-" + load;
-            return figure;
-        };
-        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution), draw);
-        list.back().larger = at_own_scale(draw);
-        leave_room_for(count);
+        Wanted& polygons = add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
+                                              [&alone, load](Spot room, const ScaleWish& wish) {
+                                                  Figure figure = force_polygons_figure(alone, room.x, room.y, wish);
+                                                  figure.id = "forces-load-" + load;
+                                                  return figure;
+                                              });
+        polygons.is_row = polygons.may_be_larger = true;
     }
     if (s.superposition->sums.empty()) return;
-    add_force_polygons("forces", "sums", extent_of_partial_sums(s),
-                       [this](double x, double y, std::optional<double> scale, bool fixed) {
-                           return partial_sums_figure(context_, x, y, scale, fixed);
-                       });
-    leave_room_for(s.superposition->sums.size());
+    add_force_polygons("forces", "sums", extent_of_partial_sums(s), [this](Spot room, const ScaleWish& wish) {
+        return partial_sums_figure(context_, room.x, room.y, wish);
+    }).is_row = true;
 }
-/// Several polygons side by side in one figure, each with its name and letters.
-void WantedFigures::leave_room_for(std::size_t polygons) {
-    constexpr double each_x = 24, each_y = 38;
-    list.back().rim_x = each_x * static_cast<double>(polygons);
-    list.back().rim_y = each_y;
-    list.back().least = 36;  // otherwise all force polygons would get a scale for a room that is too small
-}
-
 const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
     const auto part = part_of(context_.solution, statement);
     return part && *part < alone_contexts_.size() ? alone_contexts_[*part] : context_;
@@ -263,66 +230,45 @@ void WantedFigures::add_truss() {
     const double bars = std::max(wanted.extent_x, wanted.extent_y);
     wanted.extent_x = extent.width();
     wanted.extent_y = extent.height();
-    wanted.rim_x = wanted.rim_y = 44;
     // The bars; strings run between their letters, too.
     constexpr double least_of_bars = 48;
     wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
     wanted.weight = 1.5;
-    wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
+    wanted.draw = [this](Spot room, const ScaleWish& wish) { return truss_figure(context_, room.x, room.y, wish); };
     add(std::move(wanted));
     if (!has_plan(context_.solution)) return;
-    add_force_polygons("closure", "cremona", extent_of_plan(context_.solution),
-                       [this](double x, double y, std::optional<double> scale, bool fixed) {
-                           return cremona_figure(context_, x, y, scale, fixed);
-                       });
+    Wanted& plan = add_force_polygons(
+        "closure", "cremona", extent_of_plan(context_.solution),
+        [this](Spot room, const ScaleWish& wish) { return cremona_figure(context_, room.x, room.y, wish); });
     // It needs space for its letters, independently of the other polygons.
-    list.back().to_force_scale = false;
-    list.back().draw = [this, scale = list.back().asked](double x, double y) {
-        return cremona_figure(context_, x, y, scale, scale.has_value());
-    };
-    list.back().least = 40;
-    list.back().weight = 1.2;
+    plan.to_force_scale = false;
+    plan.least = 40;
+    plan.weight = 1.2;
 }
 
 void WantedFigures::add_lines_of_action() {
     Wanted wanted = mechanism("lines-of-action", false);
-    wanted.rim_x = 34;
-    wanted.rim_y = 40;
-    wanted.draw = [this](double x, double y) {
-        Figure figure = mechanism_with_forces(context_, x, y);
-        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        return mechanism_with_forces(unscaled(), x, y);
+    wanted.draw = [this](Spot room, const ScaleWish& wish) {
+        return mechanism_with_forces(context_, room.x, room.y, "", wish);
     };
     add(std::move(wanted));
 }
 
 /// `kind`: the key of its scale in the file; without one it has the common scale.
-void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent,
-                                       DrawForces draw) {
+Wanted& WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent,
+                                          Wanted::Draw draw) {
     const double si = context_.solution.mechanism.units.force.si.to_double();
     Wanted wanted;
     wanted.name = name;
     wanted.extent_x = extent.width();
     wanted.extent_y = extent.height();
-    wanted.rim_x = 20;
-    wanted.rim_y = 30;
     wanted.least = 0;
     wanted.enough = 110;
     for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
         if (!wanted.asked) wanted.asked = asked(figure, si);
     wanted.to_force_scale = true;
-    wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y) {
-        const bool fixed = scale && !force_scale;
-        return draw(x, y, fixed ? scale : force_scale, fixed);
-    };
-    add(std::move(wanted));
-}
-
-std::function<Figure(Spot room)> WantedFigures::at_own_scale(DrawForces draw) {
-    return [draw = std::move(draw)](Spot room) {
-        constexpr double enough = 60;
-        return draw(std::min(room.x, enough), std::min(room.y, enough), std::nullopt, false);
-    };
+    wanted.draw = std::move(draw);
+    return add(std::move(wanted));
 }
 
 /// All force polygons have one scale, so that the sides of the closed polygon can be copied with compasses. The largest
@@ -332,18 +278,10 @@ void WantedFigures::keep_forces_readable() {
     if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
 }
 
-/// Only the polygon of a body that is a small part of the largest may have a finer scale.
-void WantedFigures::keep_larger_to_small_ones() {
-    constexpr double small_part = 0.35;
-    const Wanted* largest = largest_of_forces();
-    for (Wanted& each : list)
-        if (each.larger && (each.asked || size_of(each) > small_part * size_of(*largest))) each.larger = nullptr;
-}
-
 Wanted* WantedFigures::largest_of_forces() {
     Wanted* largest = nullptr;
     for (Wanted& each : list)
-        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size_of(each) > size_of(*largest)))
+        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || each.extent() > largest->extent()))
             largest = &each;
     return largest;
 }
@@ -371,33 +309,27 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     body.extent_x = std::max(box.width(), 0.3 * box.height());
     body.extent_y = std::max(box.height(), 0.3 * box.width());
     // A minimum for letters; the true size is known after drawing.
-    body.rim_x = 16;
-    body.rim_y = 26;
+    body.rim_x = 14;
+    body.rim_y = 20;
     body.fills = true;
     body.least = 10;
     body.enough = 70;
     body.weight = 0.6;
     // A longer link with two forces on one line shows no more: the space is better used for polygons.
     constexpr double enough_for_two_forces = 50;
-    Spot most{1e300, 1e300};
-    if (const double longest = std::max(body.extent_x, body.extent_y);
-        longest > 0 && !has_force_polygon(s, s.free_bodies[index])) {
-        body.enough = enough_for_two_forces;
-        const double at = body.enough / longest;
-        most = Spot{at * body.extent_x + body.rim_x, at * body.extent_y + body.rim_y};
-    }
-    body.draw = [this, &context, index, load, most, own = list.size()](double x, double y) {
-        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y),
-                                detail_ == SolutionDetail::full, load, list[own].shrinks);
+    if (body.extent() > 0 && !has_force_polygon(s, s.free_bodies[index])) body.enough = enough_for_two_forces;
+    body.draw = [this, &context, index, load](Spot room, const ScaleWish&) {
+        return free_body_figure(context, index, room.x, room.y, detail_ == SolutionDetail::full, load);
     };
     add(std::move(body));
 }
 
 void WantedFigures::add_small() {
-    const auto add_on_mechanism = [&](const std::string& name,
-                                      Figure (*draw)(const DrawingContext&, double, double)) -> Wanted& {
+    const auto add_on_mechanism = [&](const std::string& name, Figure (*draw)(const DrawingContext&, double, double,
+                                                                              const ScaleWish&)) -> Wanted& {
         Wanted wanted = mechanism(name, false);
-        wanted.draw = [this, draw](double x, double y) { return draw(context_, x, y); };
+        wanted.asked.reset();
+        wanted.draw = [this, draw](Spot room, const ScaleWish& wish) { return draw(context_, room.x, room.y, wish); };
         return add(std::move(wanted));
     };
     if (has_some(context_.solution, &PointMotion::velocity)) add_on_mechanism("velocities", velocities_on_mechanism);
@@ -409,21 +341,11 @@ void WantedFigures::add_small() {
     circle.extent_x = circle.extent_y =
         std::clamp(8.4 * static_cast<double>(context_.solution.mechanism.bodies.size()), 24.0, 56.0);
     circle.rim_x = circle.rim_y = 13;
-    circle.asked = 1;
-    circle.spare = true;
+    circle.fills = circle.spare = true;
+    circle.enough = circle.extent_x;
     circle.weight = 0.03;
-    circle.draw = [this](double x, double y) { return circle_diagram(context_, x, y); };
+    circle.draw = [this](Spot room, const ScaleWish&) { return circle_diagram(context_, room.x, room.y); };
     add(std::move(circle));
-}
-
-const DrawingContext& WantedFigures::unscaled() {
-    if (!unscaled_context_) {
-        unscaled_ = context_.solution;
-        unscaled_->mechanism.scales.clear();
-        unscaled_context_.emplace(
-            DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language, context_.dimensions});
-    }
-    return *unscaled_context_;
 }
 
 void WantedFigures::collect_motion() {
@@ -443,11 +365,11 @@ void WantedFigures::add_curvature() {
         wanted.name = name_of(s, s.curvature[i]);
         wanted.extent_x = extent.width();
         wanted.extent_y = extent.height();
-        wanted.rim_x = 26;
-        wanted.rim_y = 34;
         wanted.least = 48;
         wanted.weight = 1.5;
-        wanted.draw = [this, i](double x, double y) { return curvature_figure(context_, i, x, y); };
+        wanted.draw = [this, i](Spot room, const ScaleWish& wish) {
+            return curvature_figure(context_, i, room.x, room.y, wish);
+        };
         add(std::move(wanted));
     }
 }
@@ -458,11 +380,9 @@ void WantedFigures::add_loops() {
     wanted.name = "loops";
     wanted.extent_x = extent.width();
     wanted.extent_y = extent.height();
-    wanted.rim_x = 22;
-    wanted.rim_y = 28;
     wanted.least = 64;
     wanted.weight = 1.5;
-    wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
+    wanted.draw = [this](Spot room, const ScaleWish& wish) { return loops_figure(context_, room.x, room.y, wish); };
     add(std::move(wanted));
 }
 
@@ -470,11 +390,10 @@ void WantedFigures::add_displacements() {
     for (std::size_t i = 0; i < displacement_figures(context_.solution); ++i) {
         Wanted wanted = mechanism(displacement_figure_name(i), false);
         wanted.asked.reset();
-        wanted.rim_x = 30;
-        wanted.rim_y = 36;
         wanted.least = 48;
-        wanted.tells_vectors = true;
-        wanted.draw = [this, i](double x, double y) { return displacement_figure(context_, i, x, y); };
+        wanted.draw = [this, i](Spot room, const ScaleWish& wish) {
+            return displacement_figure(context_, i, room.x, room.y, wish);
+        };
         add(std::move(wanted));
     }
 }
@@ -486,11 +405,10 @@ void WantedFigures::add_moving_axes() {
         if (!has_moving_axes(s.relative_motion[i])) continue;
         Wanted wanted = mechanism(moving_axes_name(s, i), false);
         wanted.asked.reset();
-        wanted.rim_x = 30;
-        wanted.rim_y = 36;
         wanted.least = 32;
-        wanted.tells_vectors = true;
-        wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
+        wanted.draw = [this, i](Spot room, const ScaleWish& wish) {
+            return moving_axes_figure(context_, i, room.x, room.y, wish);
+        };
         add(std::move(wanted));
     }
 }
@@ -499,62 +417,16 @@ void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
     const bool centres = shows_centres();
     Wanted wanted = mechanism(!centres || s.instantaneous_motion ? "mechanism" : "centres", centres);
-    wanted.rim_x = 20;
-    wanted.rim_y = 33;
-    const auto draw = [centres](const DrawingContext& context, double x, double y) {
-        if (context.solution.instantaneous_motion) return instantaneous_motion_figure(context, x, y);
-        return mechanism_figure(context, x, y, centres);
+    wanted.draw = [this, centres](Spot room, const ScaleWish& wish) {
+        if (context_.solution.instantaneous_motion) return instantaneous_motion_figure(context_, room.x, room.y, wish);
+        return mechanism_figure(context_, room.x, room.y, centres, wish);
     };
-    wanted.draw = [this, draw](double x, double y) {
-        Figure figure = draw(context_, x, y);
-        if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        // If the scale in the file is too large for the paper, ours is used.
-        return draw(unscaled(), x, y);
-    };
-    if (!s.instantaneous_motion && !wanted.asked)
-        wanted.draw_or_refuse = [this, centres](Spot room, double coarsest) {
-            return mechanism_figure(context_, room.x, room.y, centres, coarsest);
-        };
     if (!s.instantaneous_motion && detail_ == SolutionDetail::full)
         wanted.enrich = [this, centres](const Figure& plain, Spot room) {
             return mechanism_with_found_turnings(context_, plain, room, centres);
         };
     add(std::move(wanted));
 }
-
-namespace {
-
-/// By how much the box of a polygon must be wider to place a block in one of its corners, with a distance from strokes
-/// and letters.
-double wider_for(const PolygonScene& scene, double scale, Spot block) {
-    constexpr double letters = 6,
-                     beyond = 10;  // space round a stroke; length of a construction line beyond its intersection
-    const double width = scene.width() / scale;
-    double least = 1e300;
-    for (const bool top : {true, false}) {
-        // Distances of the strokes beside the block from both sides of the box.
-        double left = width, right = width;
-        const auto look = [&](Place from, Place to, double reach) {
-            const auto at = [&](Place p) {
-                return Spot{(p.x - scene.least.x) / scale, (top ? scene.most.y - p.y : p.y - scene.least.y) / scale};
-            };
-            const Spot start = at(from), whole = at(to) - start, end = start + whole + reach * unit(whole);
-            constexpr int pieces = 16;
-            for (int i = 0; i <= pieces; ++i) {
-                const Spot spot = start + (static_cast<double>(i) / pieces) * (end - start);
-                if (spot.y > block.y + letters) continue;
-                left = std::min(left, spot.x);
-                right = std::min(right, width - spot.x);
-            }
-        };
-        for (const SceneVector& vector : scene.vectors) look(vector.tail, vector.tip, 0);
-        for (const SceneLine& line : scene.lines) look(line.support, line.meet, beyond);
-        least = std::min(least, block.x + letters - std::max(left, right));
-    }
-    return std::max(least, 0.0);
-}
-
-}  // namespace
 
 void WantedFigures::add_polygon(int polygon) {
     const PolygonScene& scene = scenes_.emplace_back(polygon_scene(context_.solution, polygon));
@@ -570,14 +442,10 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.asked = asked(scene.id, si);
     if (!wanted.asked)
         wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
-    wanted.draw = [this, &scene](double x, double y) { return polygon_figure(context_, scene, x, y); };
-    if (!wanted.empty && !wanted.asked)
-        wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
-            return polygon_figure(context_, scene, room.x, room.y, coarsest);
-        };
-    if (!wanted.empty)
-        know_strokes(wanted, [this, &scene](double scale) { return strokes_of_polygon(context_, scene, scale); });
-    wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
+    wanted.draw = [this, &scene](Spot room, const ScaleWish& wish) {
+        return polygon_figure(context_, scene, room.x, room.y, wish);
+    };
+    wanted.has_corner = !wanted.empty;
     add(std::move(wanted));
 }
 

@@ -2,6 +2,7 @@
 // function that draws it. Chooses no position; computes no mechanics.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <map>
@@ -28,43 +29,34 @@ std::string name_of(const Solution& solution, const FreeBody& body);
 /// Bodies cut free together: "forces-3-4".
 std::string name_of(const Solution& solution, const TakenTogether& together);
 
-/// A figure to be placed: its extent, an estimate of its size on paper, and the functions that draw it.
+/// A figure to be placed: what it shows, how large it should be, and the function that draws it.
 struct Wanted {
+    /// Draws it into a room, mm, within the limits of the wish.
+    using Draw = std::function<Figure(Spot room, const ScaleWish& wish)>;
+
     std::string name;                   ///< the name in the command line
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0: the size does not depend on it
-    double rim_x = 20, rim_y = 14;      ///< estimated space for labels beside the strokes, mm
+    double rim_x = 20, rim_y = 14;      ///< of a figure that fills its room: space round its strokes, mm
     double least = 18;                  ///< mm; nothing can be read off the figure if its longer extent is less
-    std::map<double, Spot> taken{};     ///< size as drawn with labels but without caption, mm, by scale
-    Spot least_room{};                  ///< mm, without caption: its size when it was larger than its room
-    std::size_t letters = 0;            ///< number of labels
     double enough = 200;                ///< mm; it gains nothing from a larger size
+    std::size_t letters = 0;            ///< number of labels
     double weight = 1;                  ///< of its score, relative to other figures
-    double finest = 0;                  ///< limit of the scale: it was not drawn finer in rooms planned for that
-    std::optional<double> asked;
-    std::function<Figure(double room_x, double room_y)> draw;
-    /// The same, but empty and at any_scale if it has no room at `coarsest`. Null: it cannot refuse a room.
-    std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
-    /// Adds optional content to a figure once its room is final. Empty and at any_scale if there is no space for it.
-    /// Null: there is nothing to add.
+    std::optional<double> asked{};      ///< the scale in the file
+    Draw draw{};
+    /// Adds optional content to a drawn figure. Empty and at any_scale if the room has no space for it. Null: there is
+    /// nothing to add.
     std::function<Figure(const Figure& plain, Spot room)> enrich{};
-    /// Draws a force polygon that is small at the common scale at a finer one, if its room allows it. Null: the common
-    /// scale is kept.
-    std::function<Figure(Spot room)> larger{};
-    /// By how many mm the room must be wider, at a scale, for a block (width, height) in a corner. Null: it has no free
-    /// corner.
-    std::function<double(double scale, Spot block)> wider_for{};
-    /// The size of its strokes at a scale, mm. Null: extent divided by scale.
-    std::function<Spot(double scale)> strokes{};
     bool empty = false;           ///< all vectors are zero: a pole and names
     bool spare = false;           ///< shown alone, or if there is room
     bool to_force_scale = false;  ///< has the common scale of forces
+    bool may_be_larger = false;   ///< … or a finer one, if it were too small to read
+    bool is_row = false;          ///< several polygons side by side, which may stand in several rows
     bool fills = false;           ///< drawn to fill its room; its scale is that of the vectors
-    bool shrinks = false;  ///< if it fills its room: it may shrink to almost nothing, since no larger room was found
-    bool tells_vectors = false;  ///< its scale is that of the vectors, but it keeps the planned size
+    bool has_corner = false;      ///< equations may stand in a free corner of it
 
-    /// Whether the scale of the drawn figure is comparable with the planned scale.
-    bool tells_its_extents() const { return !empty && !fills && !tells_vectors && !spare; }
-    Spot strokes_at(double scale) const { return strokes ? strokes(scale) : Spot{extent_x / scale, extent_y / scale}; }
+    double extent() const { return std::max(extent_x, extent_y); }
+    /// The figure in a room, at the scale in the file if it has room at that.
+    Figure drawn_in(Spot room) const { return draw(room, {0, asked}); }
 };
 
 /// The list of figures. Not movable, because the drawing functions refer to it.
@@ -77,8 +69,6 @@ public:
 
     /// Polygons of motion are named by their ids; a free body is "body-2", its force polygon, if any, "forces-2".
     std::vector<Wanted> list;
-    std::optional<double> force_scale;  ///< of all force polygons, once one could not be drawn larger
-    bool keeps_force_scale = false;     ///< all are planned at exactly force_scale
 
     /// Index into list; empty if no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
@@ -92,11 +82,6 @@ public:
     bool are_crowded() const;
 
 private:
-    static void know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes);
-    using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
-
-    static std::function<Figure(Spot room)> at_own_scale(DrawForces draw);
-
     Wanted& add(Wanted wanted);
     void collect_motion();
     void add_mechanism();
@@ -104,14 +89,12 @@ private:
     void collect_forces(bool joukowsky);
     void add_truss();
     void add_lines_of_action();
-    void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
+    Wanted& add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, Wanted::Draw draw);
     void add_free_bodies();
     void add_free_body(const DrawingContext& context, std::size_t index, const std::string& load);
     void add_polygons_of_bodies(const DrawingContext& context);
     void add_superposition();
-    void leave_room_for(std::size_t polygons);
     void keep_forces_readable();
-    void keep_larger_to_small_ones();
     Wanted* largest_of_forces();
     void add_curvature();
     void add_loops();
@@ -120,14 +103,11 @@ private:
     void add_small();
     Wanted mechanism(const std::string& name, bool with_centres) const;
     std::optional<double> asked(const std::string& figure, double si) const;
-    const DrawingContext& unscaled();
 
     const DrawingContext& context_;
     SolutionDetail detail_;
-    std::deque<PolygonScene> scenes_;   // of the polygons of motion; a deque, because references to them are kept
-    std::optional<Solution> unscaled_;  // without the scales of the file; made if one of them does not fit
-    std::optional<DrawingContext> unscaled_context_;
-    std::deque<Solution> alone_;  // by part of the superposition
+    std::deque<PolygonScene> scenes_;  // of the polygons of motion; a deque, because references to them are kept
+    std::deque<Solution> alone_;       // by part of the superposition
     std::deque<DrawingContext> alone_contexts_;
 };
 

@@ -48,17 +48,35 @@ RichText scale_words(const DrawingContext& context, const Figure& figure) {
     return with_powers(text);
 }
 
-double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
-                   double width) {
-    const Theme& theme = context.theme;
+namespace {
+
+constexpr double before_scale = 5;  // mm
+
+RichText words_of_caption(const DrawingContext& context, const Figure& figure, int number) {
     RichText text = one_piece(word(lang::sheet::figure, context.language) + " " + std::to_string(number), Face::bold);
     append(text, one_piece("   "));
     append(text, figure.caption);
+    return text;
+}
+ShapedLine shaped_scale(const DrawingContext& context, const Figure& figure) {
+    return figure.has_scale ? context.fonts.shape(scale_words(context, figure), context.theme.body_text) : ShapedLine{};
+}
+
+}  // namespace
+
+double caption_width(const DrawingContext& context, const Figure& figure, int number) {
+    const RichText text = words_of_caption(context, figure, number);
+    return context.fonts.shape(text, context.theme.label).width + before_scale + shaped_scale(context, figure).width;
+}
+
+double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
+                   double width) {
+    const Theme& theme = context.theme;
+    const RichText text = words_of_caption(context, figure, number);
     ShapedLine caption = context.fonts.shape(text, theme.label);
-    ShapedLine scale =
-        figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
-    if (caption.width + 5 + scale.width <= width) {
-        const double scale_at = at.x + caption.width + 5;
+    ShapedLine scale = shaped_scale(context, figure);
+    if (caption.width + before_scale + scale.width <= width) {
+        const double scale_at = at.x + caption.width + before_scale;
         set_text(marks, std::move(caption), {at.x, at.y + 3.8}, theme.text, "text");
         set_text(marks, std::move(scale), {scale_at, at.y + 3.8}, theme.secondary, "text");
         return 7;

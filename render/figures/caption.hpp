@@ -17,4 +17,7 @@ std::string ratio_words(double scale, Language language);
 double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
                    double width);
 
+/// The width of a caption in one line, mm.
+double caption_width(const DrawingContext& context, const Figure& figure, int number);
+
 }  // namespace kinegraph::render

@@ -376,7 +376,8 @@ Box extent_of_curvature(const Solution& solution, std::size_t index) {
     return extent_of_curvature(Subject(solution), solution.curvature[index]);
 }
 
-Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                        const ScaleWish& wish) {
     const Curvature& found = context.solution.curvature[index];
     const Subject subject(context.solution);
     const Mechanism& mechanism = subject.mechanism;
@@ -384,7 +385,11 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
     const Box extent = extent_of_curvature(subject, found);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0),
                                       std::max(room_y - 30, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
+                           .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "curvature-" + body + "-");
         CurvatureSketch drawn(sketch, found, extent);

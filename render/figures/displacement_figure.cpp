@@ -131,7 +131,8 @@ std::string displacement_figure_name(std::size_t index) {
     return index == 0 ? "displacements" : "displacements-" + std::to_string(index + 1);
 }
 
-Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                           const ScaleWish& wish) {
     const Displacements::Freedom& freedom = freedom_of(context.solution, index);
     const Solution& moved = *freedom.moved;
     const DrawingContext displaced{moved, context.theme, context.fonts, context.language, context.dimensions};
@@ -142,7 +143,11 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
     const Unit unit = unit_of(freedom, moved.mechanism.units);
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
+                           .names_stay_in_room = true};
     const std::string name = displacement_figure_name(index);
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, displaced, trial.scale, name + "-");

@@ -1,10 +1,11 @@
-// Figures of a Solution. Each function draws one into a room (width and height in mm). Where there is a `coarsest`, a
-// figure that has no room at that scale is empty and at any_scale.
+// Figures of a Solution. Each function draws one into a room (width and height in mm), at the finest scale that has
+// room for its letters too, within the limits of a ScaleWish.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "render/figures/fit.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
@@ -15,7 +16,7 @@ namespace kinegraph::render {
 
 /// The mechanism with pair symbols, ground, body numbers and, if `with_centres`, instant centres and their lines.
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
-                        double coarsest = any_scale);
+                        const ScaleWish& wish = {});
 /// Its extent with the centres that are near enough to be shown, m.
 Box extent_of_mechanism(const Solution& solution, bool with_centres);
 /// The mechanism with ω (or α) of its bodies, each marked with the statement that determines it.
@@ -29,36 +30,41 @@ Figure exercise_figure(const DrawingContext& context, double scale, double room_
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres);
 /// Velocities on the mechanism, ⟂ to the rays from the absolute centres, and ω of its bodies. Kind "body", id
 /// "velocities".
-Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
+Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 /// Accelerations on the mechanism, and α of its bodies. Kind "body", id "accelerations".
-Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y);
+Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y,
+                                  const ScaleWish& wish = {});
 /// The instantaneous motion of one body: its points, velocities given (dark) and found (in the colour of the body), and
 /// the lines that meet in the centre; if no rigid body can move so, the two projections. Kind and id "mechanism";
 /// velocities are groups of class "velocity" with a scale of their own in the caption. Requires that the solution has
 /// such a motion.
-Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y);
+Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y,
+                                   const ScaleWish& wish = {});
 /// The curvature of the motion of a body (index into Solution::curvature): pole, pole tangent, inflection circle,
 /// Bresse's circles, osculating circles to scale. Kind "curvature", id "curvature-<body>".
-Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                        const ScaleWish& wish = {});
 /// False if the body only turns about a point at rest.
 bool has_curvature_figure(const Curvature& found);
 /// Its extent, m.
 Box extent_of_curvature(const Solution& solution, std::size_t index);
 /// The vector loops of the closure equations on the mechanism in grey (kind and id "loops"; each side is a group of
 /// class "side"). Requires equations with sides.
-Figure loops_figure(const DrawingContext& context, double room_x, double room_y);
+Figure loops_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 bool has_loops_figure(const Solution& solution);
 /// Its extent, m.
 Box extent_of_loops(const Solution& solution);
 /// Virtual displacements along freedom `index` of Solution::displacements, with the forces (kind "displacements", id
 /// "displacements" or "displacements-2" …; arrows are groups of classes "displacement" and "force").
-Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                           const ScaleWish& wish = {});
 std::size_t displacement_figures(const Solution& solution);
 std::string displacement_figure_name(std::size_t index);
 /// Relative motion `index` of Solution::relative_motion: the moving axes on the mechanism, the motion of the point
 /// relative to them, and the origin of Coriolis' term (kind and id "moving-axes", "moving-axes-2" …). Requires
 /// has_moving_axes().
-Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                          const ScaleWish& wish = {});
 bool has_moving_axes(const RelativeMotion& motion);
 std::string moving_axes_name(const Solution& solution, std::size_t index);
 /// The circle diagram of the instant centres: bodies on a circle, centres as chords, numbered in the order in which
@@ -67,15 +73,13 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
 /// One polygon of motion, given by its scene or by its index in the protocol: pole, vectors, images, construction
 /// lines.
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
-                      double coarsest = any_scale);
+                      const ScaleWish& wish = {});
 /// The size of its strokes at a scale, mm, without labels: a lower bound for any room.
 Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
-                      double coarsest = any_scale);
+                      const ScaleWish& wish = {});
 
-// Forces. Triangles and closed polygon share one scale. `least`: the finest scale allowed, in units per mm, which is
-// the finest that the other one could be drawn at. If `fixed`, it is the scale in the file, and is kept if the figure
-// fits.
+// Forces. Triangles and closed polygon share one scale, by the wish that they are drawn with.
 
 /// Whether there are force polygons, and their number.
 bool has_force_polygons(const Solution& solution);
@@ -87,19 +91,18 @@ Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with lines of action, points of concurrency, and the sense of loads, input efforts and ground
 /// reactions. `load`: the body whose loads act alone in the context's solution (under_loads_alone); empty: all loads
 /// act.
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "");
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "",
+                             const ScaleWish& wish = {});
 /// Whether it shows a point of concurrency. `of_several`: count only those that no free body shows, because their lines
 /// belong to several bodies.
 bool has_meets(const Solution& solution, bool of_several);
 /// The force polygons of the bodies and of bodies taken together, at one scale; each is a group of kind "forces", id
 /// "forces-<body>". `tables`: with a table of the known and unknown data of each force below, if there is space.
 /// `only`: index of the single polygon to draw; −1: all.
-Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
-                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true,
-                             int only = -1);
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {},
+                             bool tables = true, int only = -1);
 /// For a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
-Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                           bool fixed);
+Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 Box extent_of_partial_sums(const Solution& solution);
 /// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
@@ -107,7 +110,7 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body);
 Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale);
 /// The closed polygon: the polygons joined, external forces solid, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
-                             std::optional<double> least = std::nullopt, bool fixed = false);
+                             const ScaleWish& wish = {});
 /// A free body (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
 /// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `load`: as for mechanism_with_forces(); then
 /// the id ends in "-load-<load>". `shrinks`: the body may shrink to almost nothing if the room is too small.
@@ -129,6 +132,6 @@ NoLever no_lever(const Solution& solution);
 Box extent_of_lever(const Solution& solution);
 /// Kind "velocity", id "joukowsky"; forces are groups of class "force", with a scale of their own in the caption.
 /// Requires that no_lever() is `drawn`.
-Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y);
+Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 
 }  // namespace kinegraph::render

@@ -19,16 +19,15 @@ bool is_last(const FitPolicy& policy, const Trial& trial) {
 Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw) {
     if (policy.asked) {
         auto figure = draw({*policy.asked, 0, false, false, true});
-        if (figure && (policy.keeps_asked || has_room(policy, *figure))) return *std::move(figure);
+        if (figure && has_room(policy, *figure)) return *std::move(figure);
     }
     double half = 0;  // half the scale at which the figure without names has room; 0: not reached yet
     Trial trial;
     for (trial.scale = policy.first;; trial.scale = next_scale(trial.scale), ++trial.number) {
         trial.last = is_last(policy, trial);
-        trial.strict = half > 0 && trial.scale > 0.99 * half;
-        const bool as_it_comes = trial.last || trial.strict;
-        if (trial.scale > policy.coarsest || (as_it_comes && policy.coarsest < any_scale))
-            return Figure::empty_at(any_scale);
+        const bool is_small = half > 0 && trial.scale > 0.99 * half;
+        trial.strict = policy.strict || is_small;
+        const bool as_it_comes = trial.last || is_small;
         auto figure = draw(trial);
         KG_ASSERT(figure || !trial.last, "the last trial has a figure");
         if (figure && (as_it_comes || has_room(policy, *figure))) return *std::move(figure);

@@ -5,7 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
+#include "render/page/scale.hpp"
 
 namespace kinegraph::render {
 
@@ -18,12 +19,18 @@ struct Trial {
     bool asked = false;   ///< the scale is that of the file
 };
 
+/// Limits on the scale of a figure beside its room.
+struct ScaleWish {
+    double finest = 0;              ///< units per mm; 0: the finest with room
+    std::optional<double> asked{};  ///< tried first, in units per mm; kept if the figure has room at it
+    bool strict = false;            ///< names keep to the room even where they stand worse
+};
+
 struct FitPolicy {
     std::optional<Spot> room;       ///< that the figure must fit into, mm; none: `draw` decides whether it fits
     double first = 1;               ///< first scale, units per mm
     std::optional<double> asked{};  ///< scale in the file, tried first
-    bool keeps_asked = false;       ///< … and accepted even if it does not fit
-    double coarsest = any_scale;    ///< at coarser scales, or if nothing fits, the figure is empty and at any_scale
+    bool strict = false;            ///< names keep to the room in every trial
     int most_trials = 12;           ///< before the last one
     double extent = 0;              ///< of the figure in units; if given, the last trial is the coarsest one …
     double least_shown = 0;         ///< … that shows at least this many mm of it

@@ -842,7 +842,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const Unit& unit = mechanism.units.force;
     const double si = unit.si.to_double();
     const auto asked = asked_scale(mechanism, "body");
-    const double reach = std::clamp(0.42 * std::min(room_x, room_y), 20.0, 38.0);
+    const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
     constexpr double roomy = 80;
     const ForceScale forces{si,
                             asked         ? *asked / si
@@ -882,10 +882,10 @@ bool has_meets(const Solution& solution, bool of_several) {
     });
 }
 
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load) {
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load,
+                             const ScaleWish& wish) {
     const Solution& solution = context.solution;
     const Subject subject(solution);
-    const auto asked = asked_scale(solution.mechanism, "mechanism");
     const Meets meets = all_shown_meets(solution);
     // Points of concurrency are the purpose of the figure: the mechanism may become smaller for them.
     const Box near = grown(subject.box, 0.7 * subject.size());
@@ -894,9 +894,9 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
     for (const TakenTogether& together : solution.taken_together)
         if (together.funicular) include_strings(extent, *together.funicular, near);
-    const double first =
-        choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true};
+    const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0),
+                                      std::max(room_y - 24, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = std::max(first, wish.finest), .asked = wish.asked, .strict = wish.strict};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
         draw_in_colour(sketch);
@@ -922,7 +922,8 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
         Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");
         figure.caption = caption_of_lines(context, load);
-        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length);
+        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length,
+                     trial.strict);
         return figure;
     });
 }

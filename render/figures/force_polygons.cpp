@@ -492,17 +492,16 @@ private:
 };
 
 /// The rows at the finest scale that fits into the room.
-Figure fitted_rows(const Rows& with_tables, Spot room, std::optional<double> least, bool fixed) {
+Figure fitted_rows(const Rows& with_tables, Spot room, const ScaleWish& wish) {
     const Rows plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room.x, room.y, false); };
-    FitPolicy policy{.room = std::nullopt,
-                     .first = plain_rows.least_scale(room.x, room.y),
-                     .most_trials = 14,
-                     .extent = plain_rows.largest(),
-                     .least_shown = least_force_polygon};
-    if (fixed) policy.asked = least;
-    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    const FitPolicy policy{.room = std::nullopt,
+                           .first = std::max(plain_rows.least_scale(room.x, room.y), wish.finest),
+                           .asked = wish.asked,
+                           .most_trials = 14,
+                           .extent = plain_rows.largest(),
+                           .least_shown = least_force_polygon};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         if (trial.asked) {
             auto figure = fitting(with_tables, trial.scale);
@@ -515,7 +514,7 @@ Figure fitted_rows(const Rows& with_tables, Spot room, std::optional<double> lea
         // A coarser scale for the tables is accepted only if the polygons remain readable and no other figure has to
         // use it.
         const double smaller = next_scale(trial.scale);
-        if (!least && plain_rows.tallest() / smaller > 35)
+        if (!(wish.finest > 0) && plain_rows.tallest() / smaller > 35)
             if (auto better = fitting(with_tables, smaller)) return better;
         return figure;
     });
@@ -535,16 +534,14 @@ Box extent_of_partial_sums(const Solution& solution) {
     return extent_of_polygons(solution, polygons_of_sums(solution));
 }
 
-Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                             bool fixed, bool tables, int only) {
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish,
+                             bool tables, int only) {
     const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(context.solution);
-    return fitted_rows(Rows(context, polygons, tables, "forces"), {room_x, room_y}, least, fixed);
+    return fitted_rows(Rows(context, polygons, tables, "forces"), {room_x, room_y}, wish);
 }
 
-Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                           bool fixed) {
-    return fitted_rows(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least,
-                       fixed);
+Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
+    return fitted_rows(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, wish);
 }
 
 Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale) {
@@ -556,7 +553,7 @@ Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool j
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
-                             std::optional<double> least, bool fixed) {
+                             const ScaleWish& wish) {
     const ForcePolygon drawing(context, polygon);
     const auto fits = [&](const Figure& figure) {
         return figure.box.width() <= room_x && figure.box.height() <= room_y;
@@ -584,13 +581,13 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         close(figure);
         return figure;
     };
-    FitPolicy policy{.room = Spot{room_x, room_y},
-                     .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
-                     .most_trials = 14,
-                     .extent = std::max(drawing.width(), drawing.height()),
-                     .least_shown = least_force_polygon};
-    if (fixed) policy.asked = least;
-    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    const double first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .most_trials = 14,
+                           .extent = std::max(drawing.width(), drawing.height()),
+                           .least_shown = least_force_polygon};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         const double width = drawing.width() / trial.scale + 0.5 * label_reach,
                      height = drawing.height() / trial.scale + 8;

@@ -431,7 +431,7 @@ private:
 
 }  // namespace
 
-Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y) {
+Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     KG_ASSERT(context.solution.instantaneous_motion, "the figure of an act of motion wants one");
     const Subject subject(context.solution);
     const InstantaneousMotionDrawing act(context);
@@ -441,11 +441,13 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
         extent.min = {std::min(extent.min.x, centre->x), std::min(extent.min.y, centre->y)};
         extent.max = {std::max(extent.max.x, centre->x), std::max(extent.max.y, centre->y)};
     }
-    const std::optional<double> asked = asked_scale(mechanism, "mechanism");
-    const double first =
-        choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), asked);
-    const FitPolicy policy{
-        .room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true, .names_stay_in_room = true};
+    const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0),
+                                      std::max(room_y - 30, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
+                           .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "");
         const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);

@@ -330,14 +330,15 @@ Box extent_of_lever(const Solution& solution) {
     return box;
 }
 
-Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y) {
+Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     KG_ASSERT(no_lever(context.solution) == NoLever::drawn, "a lever needs a force that moves");
     const Lever lever(context);
     const Spot room{room_x, room_y};
-    const FitPolicy policy{.room = room,
-                           .first = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt),
-                           .extent = std::max(lever.width(), lever.height()),
-                           .least_shown = least_velocity};
+    const FitPolicy policy{
+        .room = room,
+        .first = std::max(choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt), wish.finest),
+        .extent = std::max(lever.width(), lever.height()),
+        .least_shown = least_velocity};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = lever.at(trial.scale);
         const bool has_room =

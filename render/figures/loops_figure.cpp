@@ -101,14 +101,18 @@ Box extent_of_loops(const Solution& solution) {
     return extent;
 }
 
-Figure loops_figure(const DrawingContext& context, double room_x, double room_y) {
+Figure loops_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Equations& equations = *context.solution.equations;
     Subject subject(context.solution);
     subject.box = extent_of_loops(context.solution);
     const std::vector<Side> sides = sides_of(equations);
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 14, 10.0),
                                       std::max(room_y - 22, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
+                           .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "loops-");
         draw_in_grey(sketch);

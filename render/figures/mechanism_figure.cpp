@@ -191,19 +191,14 @@ struct MechanismFigure {
     Spot room;
     Shows shows;
     Subject subject{context.solution};
-    std::optional<double> asked = asked_scale(subject.mechanism, "mechanism");
 
-    Figure fitted(double coarsest) const {
+    Figure fitted(const ScaleWish& wish) const {
         // The first scale leaves a minimum of space for symbols and names.
         const Box extent = shows.centres ? extent_with_centres(subject) : subject.box;
         const double first = choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0),
-                                          std::max(room.y - 18, 10.0), asked);
-        const FitPolicy policy{.room = room,
-                               .first = first,
-                               .asked = asked,
-                               .keeps_asked = true,
-                               .coarsest = coarsest,
-                               .names_stay_in_room = true};
+                                          std::max(room.y - 18, 10.0), std::nullopt);
+        const FitPolicy policy{
+            .room = room, .first = std::max(first, wish.finest), .asked = wish.asked, .strict = wish.strict, .names_stay_in_room = true};
         const auto fitted_with = [&](const Arrows& arrows) {
             return fit(policy, [&](const Trial& trial) { return drawn(trial, arrows); });
         };
@@ -434,7 +429,8 @@ void draw_shown_vector(Sketch& sketch, const OnMechanism& what, const ShownVecto
 }
 
 /// The mechanism in grey. `with_rays`: with rays to the centres, which the vectors are perpendicular to.
-Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what, Spot room, bool with_rays) {
+Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what, Spot room, bool with_rays,
+                          const ScaleWish& wish) {
     const Solution& solution = context.solution;
     const Subject subject(solution);
     const std::vector<ShownVector> shown = shown_vectors(solution, what);
@@ -442,7 +438,7 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
     for (const ShownVector& one : shown) longest = std::max(longest, length(one.value));
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room.x - 30, 10.0),
                                       std::max(room.y - 36, 10.0), std::nullopt);
-    const FitPolicy policy{.room = room, .first = first, .names_stay_in_room = true};
+    const FitPolicy policy{.room = room, .first = std::max(first, wish.finest), .strict = wish.strict, .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, std::string(what.name) + "-");
         draw_in_grey(sketch);
@@ -473,8 +469,8 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 }  // namespace
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
-                        double coarsest) {
-    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres, .arrows = {{}, true}}}.fitted(coarsest);
+                        const ScaleWish& wish) {
+    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres, .arrows = {{}, true}}}.fitted(wish);
 }
 
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres) {
@@ -494,20 +490,20 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
             if (way.kind == Way::Kind::plain || way.kind == Way::Kind::position ||
                 contains(room_of(way, mechanism), spot))
                 figure.subject.box.include(spot);
-    return figure.fitted(any_scale);
+    return figure.fitted({});
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
     return MechanismFigure{context, {room_x, room_y}, {.arrows = {{letter}, letter == Symbol::Letter::alpha}}}.fitted(
-        any_scale);
+        {});
 }
 
-Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y) {
-    return drawn_on_mechanism(context, velocities, {room_x, room_y}, true);
+Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
+    return drawn_on_mechanism(context, velocities, {room_x, room_y}, true, wish);
 }
 
-Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y) {
-    return drawn_on_mechanism(context, accelerations, {room_x, room_y}, false);
+Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
+    return drawn_on_mechanism(context, accelerations, {room_x, room_y}, false, wish);
 }
 
 }  // namespace kinegraph::render

@@ -107,7 +107,8 @@ std::string moving_axes_name(const Solution& solution, std::size_t index) {
     return before == 0 ? "moving-axes" : "moving-axes-" + std::to_string(before + 1);
 }
 
-Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
+                          const ScaleWish& wish) {
     const Solution& solution = context.solution;
     const RelativeMotion& motion = solution.relative_motion[index];
     const Apart& apart = *motion.apart;
@@ -119,7 +120,11 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
                  acceleration = std::max(length(*motion.relative_acceleration), length(*motion.coriolis));
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
+                           .names_stay_in_room = true};
     const std::string name = moving_axes_name(solution, index);
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, name + "-");

@@ -140,14 +140,6 @@ public:
     double width() const { return scene_.width(); }
     double height() const { return scene_.height(); }
 
-    std::optional<double> asked() const {
-        std::optional<double> result;
-        for (const AskedScale& scale : context_.solution.mechanism.scales)
-            if (scale.figure == scene_.id || (scale.figure == kind() && !result))
-                result = (scale.per_millimetre / scene_.unit.si).to_double();
-        return result;
-    }
-
     /// Strokes and label requests at a scale, with an open group.
     Figure at(double scale) const {
         const Figure empty = empty_at(scale);
@@ -410,8 +402,8 @@ constexpr double least_with_details = 60;
 /// Fits the drawing into a room, with labels, and with details if they have positions.
 class Fitting {
 public:
-    Fitting(const PolygonDrawing& drawing, const DrawingContext& context, Spot room, double coarsest)
-        : drawing_(drawing), context_(context), room_(room), coarsest_(coarsest) {}
+    Fitting(const PolygonDrawing& drawing, const DrawingContext& context, Spot room, const ScaleWish& wish)
+        : drawing_(drawing), context_(context), room_(room), wish_(wish) {}
 
     Figure fitted() const {
         if (drawing_.empty()) {
@@ -419,17 +411,12 @@ public:
             finish(figure, true);
             return figure;
         }
-        const std::optional<double> asked = drawing_.asked();
-        // Not even the strokes have room at an acceptable scale.
-        if (!asked && first_scale() > coarsest_) return Figure::empty_at(any_scale);
         const FitPolicy policy{.room = room_,
-                               .first = first_scale(),
-                               .asked = asked,
-                               .coarsest = coarsest_,
+                               .first = std::max(first_scale(), wish_.finest),
+                               .asked = wish_.asked,
                                .extent = extent(),
                                .least_shown = std::max(least_polygon, smallest_readable_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
-        if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
         const bool may_have_details =
             names <= crowded && strokes_at(policy.first).labels.size() <= most_names_with_details;
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
@@ -474,7 +461,7 @@ private:
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
     /// The size at `most_steps` steps beyond the scale at which the strokes have room, mm.
     double smallest_readable_lettering() const {
-        double scale = first_scale();
+        double scale = std::max(first_scale(), wish_.finest);
         while (extent() / scale > least_polygon && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
         for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);
         constexpr double a_little_less = 0.999;
@@ -532,7 +519,7 @@ private:
         if (!figure.lacks_details || !may_have_details) return figure;
         // One step coarser with details is better than without.
         const double smaller = next_scale(trial.scale);
-        if (extent() / smaller > least_with_details && smaller <= coarsest_)
+        if (!(wish_.finest > 0) && extent() / smaller > least_with_details)
             if (auto with_details = detailed(attempt(smaller))) return with_details;
         return figure;
     }
@@ -540,14 +527,14 @@ private:
     const PolygonDrawing& drawing_;
     const DrawingContext& context_;
     Spot room_;
-    double coarsest_;
+    ScaleWish wish_;
     mutable std::map<double, Strokes> strokes_;  // by scale
 };
 
 }  // namespace
 
-Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {
-    return polygon_figure(context, polygon_scene(context.solution, polygon), room_x, room_y, coarsest);
+Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, const ScaleWish& wish) {
+    return polygon_figure(context, polygon_scene(context.solution, polygon), room_x, room_y, wish);
 }
 
 Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale) {
@@ -556,8 +543,8 @@ Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene
 }
 
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
-                      double coarsest) {
-    return Fitting(PolygonDrawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
+                      const ScaleWish& wish) {
+    return Fitting(PolygonDrawing(context, scene), context, {room_x, room_y}, wish).fitted();
 }
 
 }  // namespace kinegraph::render

@@ -624,14 +624,15 @@ Box extent_of_plan(const Solution& solution) {
     return rectangle(0, 0, scene.width(), scene.height());
 }
 
-Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
+Figure truss_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Subject subject(context.solution);
     const Box extent = extent_of_truss(context.solution);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 40, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},
-                           .first = first,
-                           .asked = asked_scale(subject.mechanism, "mechanism"),
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict,
                            .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "truss-");
@@ -644,14 +645,11 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y)
     });
 }
 
-Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                      bool fixed) {
+Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Plan plan(context);
-    FitPolicy policy{.room = Spot{room_x, room_y},
-                     .first = choose_scale(plan.width(), plan.height(), room_x, room_y, std::nullopt),
-                     .most_trials = 14};
-    if (fixed) policy.asked = least;
-    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    const double first = choose_scale(plan.width(), plan.height(), room_x, room_y, std::nullopt);
+    const FitPolicy policy{
+        .room = Spot{room_x, room_y}, .first = std::max(first, wish.finest), .asked = wish.asked, .most_trials = 14};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = plan.at(trial.scale);
         if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - 8))

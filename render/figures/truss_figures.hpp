@@ -2,8 +2,6 @@
 // in both: tension and compression differ in colour, width and line kind.
 #pragma once
 
-#include <optional>
-
 #include "render/figures/figure.hpp"
 
 namespace kinegraph::render {
@@ -13,9 +11,8 @@ Box extent_of_truss(const Solution& solution);
 Box extent_of_plan(const Solution& solution);
 /// Kind and id "truss": bars by sense (groups of class "bar"), loads and reactions (of class "force"), letters of the
 /// spaces, the line of the resultant of given forces, cuts with their lever arms.
-Figure truss_figure(const DrawingContext& context, double room_x, double room_y);
+Figure truss_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 /// Kind "closure", id "cremona": external forces with heads, each bar once and without a head, corners with the letters
 /// of the spaces.
-Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                      bool fixed);
+Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 }  // namespace kinegraph::render

@@ -13,65 +13,8 @@ namespace {
 
 constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05, score_of_corner = 0.01;
-constexpr int most_beside = 3;          // columns of text
-constexpr int most_columns_more = 2;    // beyond those of the format, for a page of short lines
-constexpr double room_of_a_name = 100;  // mm², with its distance from the strokes; with less, names are placed far away
-
-/// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures. Above
-/// 80 mm lengths can be read to a hundredth or better, and a larger figure gains little.
-double use_of_figure(double size) {
-    constexpr double long_enough = 80, of_more = 0.3;
-    const double read = std::min(size, long_enough);
-    return std::log(read) - 40 / read + of_more * std::log(size / read);
-}
-
-std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all,
-                                 bool crowded) {
-    std::vector<FigureSize> sizes;
-    // The labels round a figure may be as large as a page (a hundred terms below each other). Half of the page is
-    // reserved for the strokes.
-    const Spot most_round{0.5 * format.content.width(), 0.5 * format.content.height()};
-    const double rim_x = std::min(wanted.rim_x, most_round.x), rim_y = std::min(wanted.rim_y, most_round.y);
-    const double extent = std::max(wanted.extent_x, wanted.extent_y);
-    const auto at = [&](double scale) {
-        const double size = std::min(extent / scale, wanted.enough);
-        const auto taken = wanted.taken.find(scale);
-        const Spot strokes = wanted.strokes_at(scale), round{rim_x, rim_y};
-        const Spot own = taken != wanted.taken.end() ? taken->second : strokes + round;
-        return FigureSize{std::min(std::max(own.x, wanted.least_room.x), strokes.x + most_round.x),
-                          std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption_line,
-                          wanted.weight * use_of_figure(size), scale};
-    };
-    constexpr double nothing = 1e-20;
-    if (wanted.empty)
-        sizes.push_back({60, 30, 0, 1});
-    else if (extent < nothing)
-        sizes.push_back({rim_x + 12, rim_y + 12 + caption_line, 0, 1});
-    else {
-        constexpr double as_asked = 6;
-        if (wanted.asked) {
-            sizes.push_back(at(*wanted.asked));
-            if (!wanted.spare) sizes.back().score += as_asked;
-            // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
-            const bool holds = sizes.back().x <= format.content.width() && sizes.back().y <= format.content.height();
-            if (holds && !crowded && !wanted.spare) return sizes;
-        }
-        double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
-                                    format.content.height() - rim_y - caption_line, std::nullopt);
-        scale = std::max(scale, wanted.to_force_scale ? all.force_scale.value_or(0) : wanted.finest);
-        const bool at_this_alone = wanted.to_force_scale && all.force_scale && all.keeps_force_scale;
-        const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
-        const auto has_room = [&](const FigureSize& size) {
-            return extent / size.scale >= std::max(least, hardly_readable) &&
-                   (crowded || size.x * size.y >= room_of_a_name * static_cast<double>(wanted.letters));
-        };
-        for (FigureSize size = at(scale); !wanted.spare && (sizes.empty() || (!at_this_alone && has_room(size)));
-             size = at(scale = next_scale(scale)))
-            sizes.push_back(size);
-    }
-    if (wanted.spare) sizes.push_back({});
-    return sizes;
-}
+constexpr int most_beside = 3;        // columns of text
+constexpr int most_columns_more = 2;  // beyond those of the format, for a page of short lines
 
 }  // namespace
 
@@ -150,24 +93,20 @@ void BandTexts::forget(const std::string& question) {
     std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
 }
 
-BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
-                         bool crowded, bool cornered, bool narrow)
+BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, MeasuredFigures& measured,
+                         const SheetFormat& format, std::optional<double> force_scale, bool crowded, bool narrow)
     : all_texts_(texts),
       band_(band),
       format_(format),
       narrow_(narrow),
       times_forgotten_(texts.times_forgotten(band.question)) {
     std::vector<std::vector<FigureSize>> sizes;
-    for (const std::size_t figure : band.figures)
-        sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
-    if (cornered && sizes.size() == 1) {
-        const Wanted& polygon = wanted.list[band.figures.front()];
-        if (polygon.wider_for && !polygon.empty)
-            if (const Block& set = texts.equations(band); set.width > 0) equations_ = &set;
-        if (equations_ != nullptr)
-            for (FigureSize& size : sizes.front())
-                size.wider = polygon.wider_for(size.scale, {equations_->width, equations_->height});
-    }
+    for (const std::size_t figure : band.figures) sizes.push_back(measured.sizes(figure, force_scale, crowded));
+    if (sizes.size() == 1 && wanted.list[band.figures.front()].has_corner)
+        if (const Block& set = texts.equations(band); set.width > 0) {
+            equations_ = &set;
+            for (FigureSize& size : sizes.front()) size.wider = measured.wider_for(band.figures.front(), size, set);
+        }
     figures_ = FigureShares(std::move(sizes));
 }
 
@@ -196,29 +135,10 @@ double BandLayouts::taken_in(Width width, double height, Notch notch) const {
         const ColumnText& own = text(layout.divided, layout.cornered);
         sum += of_text * own.whole_height() * own.measure();
     }
-    for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
-        if (!(layout.rooms[f].x > 0)) continue;
-        const FigureSize size = size_in(f, layout.rooms[f], layout.cornered);
+    for (const FigureSize& size : layout.sizes)
         sum += of_figures * (size.x + (layout.cornered ? size.wider : 0)) * size.y;
-    }
     return sum;
 }
-
-const FigureSize& BandLayouts::size_in(std::size_t figure, Spot room, bool cornered) const {
-    const std::vector<FigureSize>& sizes = figures_.sizes()[figure];
-    const auto found = std::find_if(sizes.begin(), sizes.end(), [&](const FigureSize& size) {
-        return size.x + (cornered ? size.wider : 0) <= room.x + 0.01 && size.y <= room.y + 0.01;
-    });
-    return found == sizes.end() ? sizes.back() : *found;
-}
-
-double BandLayouts::wider_in(Spot room) const {
-    for (const FigureSize& size : figures_.sizes().front())
-        if (size.x + size.wider <= room.x + 0.01 && size.y <= room.y + 0.01) return size.wider;
-    return 0;
-}
-
-double BandLayouts::scale_in(std::size_t figure, Spot room) const { return size_in(figure, room, false).scale; }
 
 bool BandLayouts::may_improve(const Best& best, const Arrangement& layout) const {
     return layout.score + best.most_of_figures > best.layout.score;
@@ -252,9 +172,8 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
     }
 }
 
-std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
-    std::vector<Spot> rooms;
-    if (best.layout.score < BandLayout::possible || figures_.sizes().empty()) return rooms;
+void BandLayouts::add_rooms(BandLayout& layout, const Best& best) const {
+    if (best.layout.score < BandLayout::possible || figures_.sizes().empty()) return;
     const FigureShares::Order order{best.layout.stacked, best.layout.cornered};
     const auto share = figures_.in(best.room, order);
     KG_ASSERT(share, "what was tried has room");
@@ -263,11 +182,12 @@ std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
     // The rest is divided equally among the figures shown.
     const double left = (whole - share->length) / std::max(share->shown, 1);
     for (std::size_t f = 0; f < figures_.sizes().size(); ++f) {
-        const double needed = FigureShares::along(figures_.sizes()[f][taken[f]], order);
+        const FigureSize& size = figures_.sizes()[f][taken[f]];
+        const double needed = FigureShares::along(size, order);
         const double own = needed > 0 ? needed + left : 0;
-        rooms.push_back(own > 0 ? (order.stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+        layout.rooms.push_back(own > 0 ? (order.stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+        layout.sizes.push_back(size);
     }
-    return rooms;
 }
 
 const WorthByHeight& BandLayouts::score(Width width, const Notch& notch, double step, int most) const {
@@ -329,7 +249,9 @@ bool BandLayouts::is_like(const BandLayouts& other) const {
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
     const Best best = best_in(width, height, notch);
-    return {best.layout, rooms_of(best)};
+    BandLayout layout{best.layout};
+    add_rooms(layout, best);
+    return layout;
 }
 
 BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {

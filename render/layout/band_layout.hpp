@@ -14,6 +14,7 @@
 #include "render/content/sheet_parts.hpp"
 #include "render/layout/column_text.hpp"
 #include "render/layout/figure_shares.hpp"
+#include "render/layout/measured_figures.hpp"
 
 namespace kinegraph::render {
 
@@ -46,7 +47,8 @@ struct Arrangement {
     TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 struct BandLayout : Arrangement {
-    std::vector<Spot> rooms{};  ///< of the figures; width 0: the figure is left out
+    std::vector<Spot> rooms{};        ///< of the figures; width 0: the figure is left out
+    std::vector<FigureSize> sizes{};  ///< of the figures
 };
 
 /// Cache of the typeset text of bands, kept from one plan to the next. A text that is divided over pages is typeset
@@ -105,10 +107,10 @@ using WorthByHeight = std::vector<double>;
 
 class BandLayouts {
 public:
-    /// `crowded`: figures may be hard to read; `cornered`: equations may stand in a corner of their polygon; `narrow`:
-    /// columns may be narrower than those of the format.
-    BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
-                bool crowded, bool cornered, bool narrow);
+    /// `force_scale`: see MeasuredFigures::sizes(); `crowded`: figures may be hard to read; `narrow`: columns may be
+    /// narrower than those of the format.
+    BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, MeasuredFigures& measured,
+                const SheetFormat& format, std::optional<double> force_scale, bool crowded, bool narrow);
 
     /// The arrangement with the highest score for this height, mm.
     BandLayout in(Width width, double height, Notch notch = {}) const;
@@ -122,13 +124,8 @@ public:
     const ColumnText& text(int divided, bool cornered) const;
     /// The equations that may stand in a corner. Only if there are some.
     const Block& equations() const { return *equations_; }
-    /// By how much the space must be wider for the equations in the corner of the figure, mm.
-    double wider_in(Spot room) const;
-    /// The scale planned for a figure (by its index in the band) in this space.
-    double scale_in(std::size_t figure, Spot room) const;
 
 private:
-    const FigureSize& size_in(std::size_t figure, Spot room, bool cornered) const;
     /// Whether its text may stand in narrower columns than those of the format.
     bool may_be_narrow(int divided, bool cornered) const;
     /// The best arrangement so far, and bounds for the search.
@@ -147,7 +144,7 @@ private:
     void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;
     bool may_improve(const Best& best, const Arrangement& layout) const;
     bool improves(const Best& best, const Arrangement& layout, Spot room) const;
-    std::vector<Spot> rooms_of(const Best& best) const;
+    void add_rooms(BandLayout& layout, const Best& best) const;
 
     BandTexts& all_texts_;
     const Band& band_;

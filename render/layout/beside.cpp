@@ -2,6 +2,7 @@
 #include "render/layout/beside.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
@@ -42,6 +43,25 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
                     return true;
                 }
     return false;
+}
+
+double width_beside(const Figure& figure, const Block& block) {
+    const Box& box = figure.box;
+    if (block.height > box.height()) return std::numeric_limits<double>::infinity();
+    double least = block.width + clear;
+    const std::vector<Spot> spots = covered(figure.marks);
+    for (const bool bottom : {false, true}) {
+        // Free widths left and right of what is drawn at the height of the block.
+        double left = box.width(), right = box.width();
+        for (const Spot& spot : spots) {
+            const double down = bottom ? box.max.y - spot.y : spot.y - box.min.y;
+            if (down > block.height + clear) continue;
+            left = std::min(left, spot.x - box.min.x);
+            right = std::min(right, box.max.x - spot.x);
+        }
+        least = std::min(least, block.width + clear - std::max(left, right));
+    }
+    return std::max(least, 0.0);
 }
 
 }  // namespace kinegraph::render

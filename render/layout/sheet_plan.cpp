@@ -1,5 +1,4 @@
-// First the pages are planned; then bands that no page can hold are divided; then the common scale of all force
-// polygons is found.
+// A plan for each common scale of force polygons; then bands that no page can hold are divided.
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
@@ -9,54 +8,36 @@
 namespace kinegraph::render {
 
 void SheetPlan::make() {
-    if (std::exchange(is_made_, false)) return;
-    const bool looks_again = std::exchange(looks_again_, false);
-    const std::size_t before = pages_.size();
-    std::optional<double> too_fine;
-    if (wanted_.keeps_force_scale && !looks_again) {
-        if (plans_at_same_force_scale()) return;
-        too_fine = wanted_.force_scale;
+    if (finds_pages()) return;
+    give_each_a_page();
+    const bool found = finds_pages();
+    KG_ASSERT(found, "each band has a page");
+}
+
+/// Plans at each common scale of forces, and keeps the best plan. False if there is none.
+bool SheetPlan::finds_pages() {
+    std::vector<double> scales = measured_.force_scales();
+    if (scales.empty()) {
+        plan_all();
+        return !pages_.empty();
     }
-    wanted_.force_scale = least_force_scale_;
-    wanted_.keeps_force_scale = false;
-    plan_all();
-    if (pages_.empty()) {
-        give_each_a_page();
-        return make();
+    std::optional<double> best;
+    std::size_t fewest = 0;
+    double most = BandLayout::impossible;
+    for (const double scale : scales) {
+        force_scale_ = scale;
+        plan_all();
+        if (pages_.empty() || (best && pages_.size() > fewest)) continue;
+        if (best && pages_.size() == fewest && !(score_ > most)) continue;
+        best = scale;
+        fewest = pages_.size();
+        most = score_;
     }
-    // Since then figures were found to need more space: a scale that was too fine for this number of pages still is.
-    share_force_scale(too_fine && pages_.size() <= before ? next_scale(*too_fine) : 0);
-}
-
-bool SheetPlan::makes_another() {
-    const std::vector<PlannedPage> pages = pages_;
-    std::vector<BandLayouts> layouts = layouts_;
-    const int times_divided = times_divided_;
-    const double score = score_;
-    const std::optional<double> force_scale = wanted_.force_scale;
-    const bool keeps_force_scale = wanted_.keeps_force_scale;
-    looks_again_ = true;
-    make();
-    // Layouts refer to their bands. If these were divided anew, the old plan cannot be restored.
-    if (pages_.size() <= pages.size() || times_divided_ != times_divided) return is_made_ = true;
-    pages_ = pages;
-    layouts_ = std::move(layouts);
-    score_ = score;
-    wanted_.force_scale = force_scale;
-    wanted_.keeps_force_scale = keeps_force_scale;
-    return false;
-}
-
-void SheetPlan::draw_forces_at(double scale) {
-    least_force_scale_ = scale;
-    looks_again_ = true;
-}
-
-/// Whether the plan with the current force scale needs no more pages.
-bool SheetPlan::plans_at_same_force_scale() {
-    const std::size_t pages = pages_.size();
-    plan_all();
-    return !pages_.empty() && pages_.size() <= pages;
+    if (best && force_scale_ != best) {
+        force_scale_ = best;
+        plan_all();
+    }
+    return best.has_value();
 }
 
 void SheetPlan::plan_all() {
@@ -96,7 +77,6 @@ std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t
 }  // namespace
 
 void SheetPlan::give_each_a_page() {
-    ++times_divided_;
     layouts_.clear();
     rejoin();
     for (std::size_t b = 0; b < bands_.list.size(); ++b)
@@ -141,9 +121,10 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
     return {texts_,
             band,
             wanted_,
+            measured_,
             format_,
+            force_scale_,
             crowded_.contains(band.question),
-            !cornerless_.contains(band.question),
             !wide_.contains(band.question)};
 }
 
@@ -181,56 +162,6 @@ void SheetPlan::part_figures(std::size_t index) {
     rest.first_row = rest.end_row = 0;
     band.figures.resize(static_cast<std::size_t>(half));
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
-}
-
-// --- common scale of forces
-
-/// Finds the common scale of triangles and closed polygon: the finest for which the number of pages does not grow,
-/// unless a coarser one improves the score of the other figures by more than `price_of_a_step`.
-void SheetPlan::share_force_scale(double least) {
-    double finest = std::max(least, least_force_scale_.value_or(0));
-    for (const Band& band : bands_.list)
-        for (const std::size_t figure : band.figures) {
-            const Wanted& each = wanted_.list[figure];
-            if (!each.to_force_scale) continue;
-            if (each.asked) return;
-            finest =
-                std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
-        }
-    const double coarsest = coarsest_of_forces();
-    if (!(coarsest > 0)) return;
-    constexpr double rounding = 1e-9;
-    const std::size_t pages = pages_.size();
-    wanted_.keeps_force_scale = true;
-    constexpr double price_of_a_step = 2.5;  // high, because polygons are measured and mechanisms are not
-    std::optional<double> chosen;
-    double best = BandLayout::impossible, scale = finest;
-    const auto plan_at = [&](double at) {
-        wanted_.force_scale = at;
-        plan_all();
-    };
-    for (; seeks_finest_force_scale_ && scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
-        plan_at(scale);
-        if (pages_.empty() || pages_.size() > pages) continue;
-        if (chosen && !(score_ > best + price_of_a_step)) break;  // a coarser scale does not help either
-        chosen = scale;
-        best = score_;
-    }
-    // The coarsest planned scale is possible for all.
-    if (!chosen) chosen = coarsest;
-    if (wanted_.force_scale != chosen) plan_at(*chosen);
-}
-
-/// The coarsest of the planned scales of force polygons; 0 if there are none.
-double SheetPlan::coarsest_of_forces() const {
-    double coarsest = 0;
-    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
-        const std::vector<std::size_t>& figures = bands_.list[placed.band].figures;
-        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
-            if (layout.rooms[f].x > 0 && wanted_.list[figures[f]].to_force_scale)
-                coarsest = std::max(coarsest, layouts_[placed.band].scale_in(f, layout.rooms[f]));
-    });
-    return coarsest;
 }
 
 }  // namespace kinegraph::render

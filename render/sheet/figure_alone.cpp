@@ -9,6 +9,7 @@
 #include "render/content/title_block.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
+#include "render/mechanism/subject.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
@@ -27,11 +28,13 @@ struct Choice {
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
     std::vector<Choice> all;
     all.push_back({"mechanism", [&context](double x, double y) {
-                       return context.solution.instantaneous_motion ? instantaneous_motion_figure(context, x, y)
-                                                                    : mechanism_figure(context, x, y, false);
+                       const ScaleWish wish{0, drawing::asked_scale(context.solution.mechanism, "mechanism")};
+                       return context.solution.instantaneous_motion ? instantaneous_motion_figure(context, x, y, wish)
+                                                                    : mechanism_figure(context, x, y, false, wish);
                    }});
     for (Wanted& each : wanted.list)
-        if (each.name != "mechanism") all.push_back({each.name, each.draw});
+        if (each.name != "mechanism")
+            all.push_back({each.name, [&each](double x, double y) { return each.drawn_in({x, y}); }});
     return all;
 }
 

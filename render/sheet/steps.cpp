@@ -277,15 +277,16 @@ private:
             auto asked = drawing::asked_scale(solution_.mechanism, "forces");
             if (!asked) asked = drawing::asked_scale(solution_.mechanism, "closure");
             if (asked) *asked /= solution_.mechanism.units.force.si.to_double();
-            return force_polygons_figure(context, room_x, room_y, asked, asked.has_value(), false);
+            return force_polygons_figure(context, room_x, room_y, {0, asked}, false);
         }
         if (name == "omega" || name == "alpha")
             return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha,
                                            room_x, room_y);
         for (Wanted& wanted : wanted_.list)
-            if (wanted.name == name) return wanted.draw(room_x, room_y);
-        if (solution_.instantaneous_motion) return instantaneous_motion_figure(context, room_x, room_y);
-        return mechanism_figure(context, room_x, room_y, false);
+            if (wanted.name == name) return wanted.drawn_in({room_x, room_y});
+        const ScaleWish wish{0, drawing::asked_scale(solution_.mechanism, "mechanism")};
+        if (solution_.instantaneous_motion) return instantaneous_motion_figure(context, room_x, room_y, wish);
+        return mechanism_figure(context, room_x, room_y, false, wish);
     }
 
     const Placed& large(const std::string& name) {

@@ -1,0 +1,198 @@
+// Which scales are tried, what a size is worth, and what a caption takes.
+#include "render/layout/measured_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/figures/caption.hpp"
+#include "render/layout/beside.hpp"
+#include "render/page/scale.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double rounding = 1e-9;
+constexpr double nothing = 1e-20;           // an extent that is that of a point
+constexpr double largest_of_scaled = 130;   // mm; a figure gains nothing from a larger size
+constexpr double readable_of_forces = 25;   // mm; a smaller force polygon is drawn at a finer scale than the others …
+constexpr double own_scale_of_forces = 60;  // … at which it is not larger than this
+
+/// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures. Above
+/// 80 mm lengths can be read to a hundredth or better, and a larger figure gains little.
+double use_of_figure(double size) {
+    constexpr double long_enough = 80, of_more = 0.3;
+    const double read = std::min(size, long_enough);
+    return std::log(read) - 40 / read + of_more * std::log(size / read);
+}
+
+}  // namespace
+
+const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::optional<double> force_scale,
+                                                      bool crowded) {
+    const Wanted& wanted = wanted_.list[figure];
+    if (!wanted.to_force_scale) force_scale.reset();
+    const auto [found, fresh] = sizes_.try_emplace({figure, force_scale.value_or(0), crowded});
+    std::vector<FigureSize>& sizes = found->second;
+    if (!fresh) return sizes;
+    for (const Measure& each : measures(wanted, force_scale, crowded)) {
+        measure(sizes, figure, each);
+        // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
+        const Box& box = drawings_[figure][sizes.back().drawing].figure.box;
+        const bool asked = each.wish.asked.has_value() && !wanted.spare;
+        if (asked && !crowded && box.width() <= page().x && box.height() <= page().y) break;
+    }
+    std::stable_sort(sizes.begin(), sizes.end(),
+                     [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
+    if (wanted.spare) sizes.push_back({});
+    return sizes;
+}
+
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure) const {
+    constexpr double as_asked = 6;
+    const double size = std::clamp(wanted.extent() / measure.scale, 1.0, wanted.enough);
+    return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
+}
+
+/// Names spread where they have space. If they make the figure wider than a column, it is also drawn with its names
+/// within that column, as far as they find places there.
+void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure) {
+    const Wanted& wanted = wanted_.list[figure];
+    const std::size_t free = drawn(figure, measure);
+    const Figure& drawing = drawings_[figure][free].figure;
+    const double score = score_of(wanted, measure);
+    add_sizes(sizes, figure, free, score);
+    if (!(measure.wish.finest > 0)) return;
+    constexpr double least_round = 8;  // mm, for names beside the strokes
+    constexpr double price_of_narrow = 0.05;
+    double width = drawing.box.width();
+    while (const auto column = narrower(width, wanted.extent_x / measure.scale + least_round)) {
+        const std::size_t narrow = drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true}});
+        const Figure& other = drawings_[figure][narrow].figure;
+        if (other.scale != drawing.scale || other.box.width() > *column || other.has_key) return;
+        add_sizes(sizes, figure, narrow, score - price_of_narrow);
+        width = other.box.width();
+    }
+}
+
+/// The widest column or columns of less than `width` and at least `least` mm.
+std::optional<double> MeasuredFigures::narrower(double width, double least) const {
+    std::optional<double> widest;
+    for (const int of : {format_.columns, format_.columns + 1})
+        for (int columns = 1; columns <= of; ++columns) {
+            const double span = format_.span(columns, of);
+            if (span < width && span >= least && span > widest.value_or(0)) widest = span;
+        }
+    return widest;
+}
+
+std::vector<double> MeasuredFigures::force_scales() const {
+    double largest = 0, enough = 0;
+    for (const Wanted& each : wanted_.list) {
+        if (!each.to_force_scale) continue;
+        if (each.asked) return {};
+        if (each.is_row) continue;
+        if (each.extent() > largest) largest = each.extent(), enough = each.enough;
+    }
+    std::vector<double> scales;
+    if (!(largest > nothing)) return scales;
+    for (double scale = choose_scale(largest, 0, enough, 1, std::nullopt); scales.empty() || largest / scale >= 20;
+         scale = next_scale(scale))
+        scales.push_back(scale);
+    return scales;
+}
+
+std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
+                                                                bool crowded) const {
+    if (wanted.empty) return {{1, {60, 30}, {}}};
+    if (wanted.fills) return filling(wanted);
+    if (wanted.extent() < nothing) return {{1, page(), {}}};
+    if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
+    return at_scales(wanted, crowded);
+}
+
+/// Rooms of several sizes, in the shape of the figure.
+std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted) const {
+    constexpr double parts[] = {1, 0.7, 0.5, 0.35};
+    const bool is_point = wanted.extent() < nothing;
+    std::vector<Measure> all;
+    for (const double part : parts) {
+        const double size = part * wanted.enough, scale = wanted.extent() / size;
+        if (!all.empty() && size < std::max(wanted.least, hardly_readable)) break;
+        all.push_back({scale,
+                       {std::min((is_point ? size : wanted.extent_x / scale) + wanted.rim_x, page().x),
+                        std::min((is_point ? size : wanted.extent_y / scale) + wanted.rim_y, page().y)},
+                       {}});
+        if (wanted.spare) break;
+    }
+    return all;
+}
+
+/// A row of polygons may also stand in several rows.
+std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Wanted& wanted, double force_scale) const {
+    double scale = force_scale;
+    if (wanted.may_be_larger && wanted.extent() / scale < readable_of_forces)
+        scale = choose_scale(wanted.extent(), 0, own_scale_of_forces, 1, std::nullopt);
+    std::vector<Measure> all;
+    for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)
+        all.push_back({scale, {format_.span(columns, format_.columns), page().y}, {scale, {}}});
+    return all;
+}
+
+std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& wanted, bool crowded) const {
+    std::vector<Measure> all;
+    if (wanted.asked) all.push_back({*wanted.asked, page(), {0, wanted.asked}});
+    const double largest = std::min(largest_of_scaled, wanted.enough);
+    const double least = std::max(crowded ? std::min(wanted.least, hardly_readable) : wanted.least, hardly_readable);
+    double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
+                                std::min(page().y, largest), std::nullopt);
+    for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least); first = false) {
+        all.push_back({scale, page(), {scale, {}}});
+        scale = next_scale(scale);
+    }
+    return all;
+}
+
+/// The drawing of a figure for a measure, made once. What has no room on the page at a scale came coarser, which is the
+/// drawing of the next one.
+std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
+    std::deque<Drawing>& known = drawings_[figure];
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (known[i].room.x == measure.room.x && known[i].room.y == measure.room.y &&
+            known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
+            known[i].wish.strict == measure.wish.strict)
+            return i;
+    const Wanted& wanted = wanted_.list[figure];
+    Drawing drawing{measure.room, measure.wish, wanted.draw(measure.room, measure.wish)};
+    known.push_back(std::move(drawing));
+    return known.size() - 1;
+}
+
+/// With its caption in one line and, at a price, in several.
+void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing,
+                                double score) const {
+    constexpr double price_of_broken_caption = 0.15;
+    constexpr double least_of_caption = 40;  // mm
+    constexpr int number = 88;               // as wide as any that a sheet has
+    const Figure& drawn = drawings_[figure][drawing].figure;
+    const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
+    const double whole = caption_width(context_, drawn, number);
+    const double scale = drawn.scale;
+    if (whole <= format_.content.width()) {
+        sizes.push_back({std::max(own, whole), high + caption_line, score, scale, 0, drawing});
+        if (whole <= own) return;
+    }
+    const double narrow = std::max(own, std::min(least_of_caption, format_.content.width()));
+    if (narrow >= whole) return;
+    std::vector<Mark> words;
+    const double caption = set_caption(words, context_, drawn, number, {0, 0}, narrow);
+    sizes.push_back({narrow, high + caption, score - price_of_broken_caption, scale, 0, drawing});
+}
+
+double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& block) {
+    Drawing& drawing = drawings_[figure][size.drawing];
+    const auto [found, fresh] = drawing.wider.try_emplace(block.width);
+    if (fresh) found->second = width_beside(drawing.figure, block);
+    return found->second;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,66 @@
+// Measured figures: each figure drawn, letters included, at the standard scales that its page could take. A plan
+// chooses among these drawings; nothing is drawn again.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "render/content/sheet_parts.hpp"
+#include "render/content/wanted_figures.hpp"
+#include "render/layout/figure_shares.hpp"
+#include "render/page/block.hpp"
+
+namespace kinegraph::render {
+
+class MeasuredFigures {
+public:
+    MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format)
+        : context_(context), wanted_(wanted), format_(format), drawings_(wanted.list.size()) {}
+
+    /// The sizes of a figure (index into WantedFigures::list), the highest score first. `force_scale`: the common scale
+    /// of force polygons. `crowded`: down to a size that can hardly be read.
+    const std::vector<FigureSize>& sizes(std::size_t figure, std::optional<double> force_scale, bool crowded);
+    /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
+    /// polygons, or the file gives their scale.
+    std::vector<double> force_scales() const;
+    const Figure& drawing(std::size_t figure, const FigureSize& size) const {
+        return drawings_[figure][size.drawing].figure;
+    }
+    /// By how many mm the room of a drawing must be wider to hold a block in one of its corners.
+    double wider_for(std::size_t figure, const FigureSize& size, const Block& block);
+
+private:
+    struct Drawing {
+        Spot room;
+        ScaleWish wish;
+        Figure figure;
+        std::map<double, double> wider{};  // by width of the block
+    };
+    struct Measure {
+        double scale;  // units of the extents per mm
+        Spot room;
+        ScaleWish wish;
+    };
+    void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure);
+    double score_of(const Wanted& wanted, const Measure& measure) const;
+    std::optional<double> narrower(double width, double least) const;
+    std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, bool crowded) const;
+    std::vector<Measure> filling(const Wanted& wanted) const;
+    std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;
+    std::vector<Measure> at_scales(const Wanted& wanted, bool crowded) const;
+    std::size_t drawn(std::size_t figure, const Measure& measure);
+    void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score) const;
+    Spot page() const { return {format_.content.width(), format_.content.height() - caption_line}; }
+
+    const DrawingContext& context_;
+    const WantedFigures& wanted_;
+    const SheetFormat& format_;
+    std::vector<std::deque<Drawing>> drawings_;  // by figure; a deque, because references to drawings are kept
+    std::map<std::tuple<std::size_t, double, bool>, std::vector<FigureSize>> sizes_;
+};
+
+}  // namespace kinegraph::render
