@@ -435,7 +435,11 @@ void Bands::add_step(Band& band, std::size_t statement) {
 
 void Bands::collect_motion() {
     const Protocol& protocol = solution_.protocol;
-    Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
+    // Up to four bodies the order of the centres is seen without a diagram.
+    constexpr std::size_t fewest_with_circle = 5;
+    std::vector<std::string> figures{wanted_.list.front().name};
+    if (solution_.mechanism.bodies.size() >= fewest_with_circle) figures.emplace_back("circle-diagram");
+    Band& given = add("given", figures);
     if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
     // Each polygon has a band; the two polygons of a relative motion share one.
     std::map<int, std::size_t> band_of;  // by polygon

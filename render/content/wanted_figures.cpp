@@ -120,7 +120,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
     // Distant centres may take most of the figure; the links need a minimum size.
-    constexpr double least_of_links = 20;
+    constexpr double least_of_links = 28;
     const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
     const double size = std::max(links.width(), links.height());
     mechanism.least = size > 0 ? least_of_links * std::max(extent.width(), extent.height()) / size : least_of_links;
@@ -436,6 +436,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
     wanted.least = 16;
+    wanted.enough = 110;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();

@@ -896,7 +896,10 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         if (together.funicular) include_strings(extent, *together.funicular, near);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0),
                                       std::max(room_y - 24, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = std::max(first, wish.finest), .asked = wish.asked, .strict = wish.strict};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = std::max(first, wish.finest),
+                           .asked = wish.asked,
+                           .strict = wish.strict};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
         draw_in_colour(sketch);

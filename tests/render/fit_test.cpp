@@ -37,20 +37,21 @@ TEST(Fit, TakesTheLargestScaleAtWhichTheFigureHasRoom) {
     EXPECT_EQ(square.trials[1].number, 1);
 }
 
-TEST(Fit, TriesTheFilesScaleFirstAndKeepsItOnlyWhereItIsTold) {
+TEST(Fit, TriesTheFilesScaleFirstAndKeepsItIfThereIsRoom) {
     FitPolicy policy{.room = Spot{60, 60}, .first = 1, .asked = 1.25};
     Square square;
     EXPECT_EQ(fit_square(policy, square).scale, 2);
     EXPECT_TRUE(square.trials.front().asked);
     EXPECT_EQ(square.trials.front().scale, 1.25);
-    policy.keeps_asked = true;
-    EXPECT_EQ(fit_square(policy, square).scale, 1.25);
+    policy.asked = 4;
+    EXPECT_EQ(fit_square(policy, square).scale, 4);
 }
 
-TEST(Fit, ComesEmptyBeyondTheCoarsestScale) {
-    Square square;
-    EXPECT_EQ(fit_square({.room = Spot{60, 60}, .first = 1, .coarsest = 1}, square).scale, any_scale);
-    EXPECT_EQ(fit_square({.room = Spot{60, 60}, .first = 1, .coarsest = 2}, square).scale, 2);
+TEST(Fit, KeepsNamesInTheRoomWhereThatIsWanted) {
+    Square square{100, 50};
+    const Figure figure = fit_square({.room = Spot{60, 60}, .first = 2, .strict = true}, square);
+    EXPECT_EQ(figure.scale, 2);
+    EXPECT_TRUE(square.trials.front().strict);
 }
 
 TEST(Fit, HasNamesStayInTheRoomAtHalfTheScaleOfTheFigure) {
