@@ -432,9 +432,10 @@ public:
                             {couple_of(held), couple_of(held)}, says_couples ? unit_of_moment() : 0);
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
-        // A narrow room has only the line; the force is in the polygon.
+        // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
         for (const AppliedForce& sum : body_.sums)
-            if (scale_.says_values)
+            if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
+                                                  [&](const AppliedForce& f) { return f.force == sum.force; }))
                 draw_force(beside_body(sum), sum_binding(load_, body_, sum));
             else
                 add_line_of(sum, sum_binding(load_, body_, sum));

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "render/content/wanted_figures.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -112,7 +113,11 @@ TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
     solution.mechanism.units.velocity = {"mm/s", Exact::ratio(1, 1000)};
     solution.mechanism.scales.push_back({"velocity", Exact::ratio(1, 100), ""});  // 0.01 m/s = 10 mm/s
     const Theme theme;
-    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 200, 150);
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    const WantedFigures wanted(context, false);
+    const auto velocity = wanted.named("velocity");
+    ASSERT_TRUE(velocity);
+    const Figure figure = wanted.list[*velocity].drawn_in({200, 150});
     EXPECT_EQ(figure.unit, "mm/s");
     EXPECT_DOUBLE_EQ(figure.scale, 10);
     expect_measures(figure);
