@@ -171,17 +171,7 @@ private:
     WishesSection wishes_{*this, mechanism_};
 };
 
-template <class Item>
-std::optional<ListIndex<Item>> named_in(const std::vector<Item>& items, std::string_view name) {
-    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-    if (found == items.end()) return std::nullopt;
-    return ListIndex<Item>(found - items.begin());
-}
-
 }  // namespace
-
-std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return named_in(points, name); }
-std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return named_in(bodies, name); }
 
 Result<Mechanism> read_mechanism(std::string_view text, std::string source, std::span<const Setting> set) {
     const Result<JsonSource> json = JsonSource::read(text);
