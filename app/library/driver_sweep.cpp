@@ -118,6 +118,8 @@ public:
         const Travel& travel = table.travel;
         std::vector<std::size_t> whole = efforts();
         for (const auto& plot : plots) whole.insert(whole.end(), plot.begin(), plot.end());
+        for (std::size_t i = 0; i < table.columns.size(); ++i)  // the table of extremes has their strokes
+            if (table.columns[i].kind == Column::Kind::slid) whole.push_back(i);
         table.followed = cycle_->follow(travel, whole);
         table.limits.clear();
         if (travel.starts_at_limit) table.limits.push_back(cycle_->at_limit(travel.from, travel.to - travel.from));
@@ -213,8 +215,8 @@ private:
             lines.emplace_back(
                 lang::sweeps::driver_goes, table.driver, coordinate(travel.from), coordinate(travel.to),
                 travel.starts_at_limit ? Words(lang::sweeps::its_limits) : Words(lang::sweeps::its_limit));
-        for (const auto& [is_limit, at, inward] : {std::tuple(travel.starts_at_limit, travel.from, 1.0),
-                                                   std::tuple(travel.ends_at_limit, travel.to, -1.0)})
+        for (const auto& [is_limit, at, inward] :
+             {std::tuple(travel.starts_at_limit, travel.from, 1.0), std::tuple(travel.ends_at_limit, travel.to, -1.0)})
             if (is_limit && is_beside_change_point(at, travel.to > travel.from ? inward : -inward))
                 lines.emplace_back(lang::sweeps::limit_beside_a_change_point, coordinate(at));
         const auto& branch = cycle_->positions().branch();

@@ -327,7 +327,7 @@ const char* const crank_with_pole = R"({"kinegraph": 1, "points": {"O": [0, 0],
 
 TEST_F(Sweep, APoleIsAnEmptyCellAndALineOfThePlotNeverAValueOrAZero) {
     write("pole.json", crank_with_pole);
-    for (const std::string steps : {"7", "36", "100", "360"}) {
+    for (const std::string steps : {"7", "36", "100", "360", "3600"}) {
         const Outcome swept = run("sweep pole.json --steps " + steps + " -o a.json -o a.csv -o a.svg");
         ASSERT_EQ(swept.status, 0) << swept.err;
         EXPECT_NE(swept.err.find("effort F: mean without limit, least without limit, greatest without limit; it grows "
@@ -425,6 +425,28 @@ TEST_F(Sweep, AZeroOverAParameterIsTheSameForAnySteps) {
         EXPECT_NE(contents(folder_ / "a.svg").find(std::string("aria-label=\"") + text.data()), std::string::npos)
             << steps << " " << text.data();
     }
+}
+
+TEST_F(Sweep, StrokesRatiosAndMeansAreTheSameForAnySteps) {
+    int facts = 0;
+    for (const char* name : {"quick_return", "slider_crank_offset", "gas_force", "exam_2001", "radial_engine",
+                             "whitworth", "slider_crank_law"}) {
+        write("moving.json", contents(example_file(name)));
+        std::vector<std::string> expected;
+        for (const std::string steps : {"36", "100", "360", "3600"}) {
+            SCOPED_TRACE(name + (", " + steps));
+            ASSERT_NE(run("sweep moving.json --steps " + steps + " -o a.svg").status, 2);
+            const std::string svg = contents(folder_ / "a.svg");
+            std::vector<std::string> found;
+            for (const std::string what : {"stroke ", "time ratio", "mean ", "least transmission angle"})
+                for (std::size_t at = 0; (at = svg.find("aria-label=\"" + what, at)) != std::string::npos; ++at)
+                    found.push_back(svg.substr(at, svg.find('"', at + 12) - at));
+            if (steps == "36") expected = found;
+            EXPECT_EQ(found, expected);
+            facts += static_cast<int>(found.size());
+        }
+    }
+    EXPECT_GT(facts, 40);
 }
 
 TEST_F(Sweep, PolesOverAParameterAreFoundBetweenTheRowsAndOnThem) {
