@@ -604,6 +604,16 @@ void add_equations(CLI::App& program, Action& action) {
     });
 }
 
+void add_schema(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(
+        program, "schema", "Print the JSON Schema of the mechanism file, by which an editor completes and checks it");
+    auto language = std::make_shared<std::string>("en");
+    add_language(*command, *language, "Language of messages");
+    command->callback([&action, language] {
+        action = [language] { return print(std::string(mechanism_schema()), language_named(*language)); };
+    });
+}
+
 void add_watch(CLI::App& program, Action& action) {
     CLI::App* command =
         add_command(program, "watch", "The live page of a file in your browser, made anew whenever the file is saved");
@@ -642,6 +652,7 @@ Status run(int count, char** arguments, Language language) {
     add_diff(program, action);
     add_pairs(program, action);
     add_equations(program, action);
+    add_schema(program, action);
     add_batch(program, action);
     add_watch(program, action);
 

@@ -5,6 +5,7 @@ set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/kinegraph)
 if(TARGET kinegraph_app)
     install(TARGETS kinegraph_app)
     install(TARGETS ${modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinegraph)
+    install(FILES ${PROJECT_BINARY_DIR}/generated/mechanism.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
 endif()
 if(BUILD_SHARED_LIBS)
     install(TARGETS kinegraph_shared EXPORT kinegraph)
@@ -22,9 +23,6 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
               ${PROJECT_SOURCE_DIR}/cmake/link_dependencies.cmake
         DESTINATION ${package_directory})
 
-if(EXISTS ${schema})
-    install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
-endif()
 configure_file(cmake/kinegraph.pc.in ${PROJECT_BINARY_DIR}/generated/kinegraph.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraph.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES docs/kinegraph.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -13,7 +13,8 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/motion/mobility.hpp"
-#include "engine/reading/mechanism_schema.hpp"
+#include "engine/reading/forms.hpp"
+#include "engine/reading/schema.hpp"
 #include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
@@ -173,6 +174,9 @@ Expected<std::string> MechanismFile::equations(TextForm form, Language language)
 
 std::string pair_catalogue(TextForm form, Language language) { return render::pair_catalogue(language, form_of(form)); }
 
-std::string_view mechanism_schema() { return mechanism_schema_text; }
+std::string_view mechanism_schema() {
+    static const std::string schema = json_schema_of(forms::mechanism());
+    return schema;
+}
 
 }  // namespace kinegraph

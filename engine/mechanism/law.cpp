@@ -10,15 +10,6 @@
 namespace kinegraph {
 namespace {
 
-constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
-    {{LawForm::rest, "rest"},
-     {LawForm::constant_speed, "constant speed"},
-     {LawForm::constant_acceleration, "constant acceleration"},
-     {LawForm::harmonic, "harmonic"},
-     {LawForm::cycloidal, "cycloidal"},
-     {LawForm::polynomial_345, "3-4-5"},
-     {LawForm::modified_trapezoidal, "modified trapezoidal"}}};
-
 /// sin πx and cos πx; exactly zero where they vanish.
 double sin_pi(double x) {
     x -= 2 * std::round(x / 2);
@@ -74,20 +65,11 @@ double rise_of(const LawPiece& piece) { return piece.form == LawForm::rest ? 0 :
 
 }  // namespace
 
-std::string_view spelling_of(LawForm form) {
-    return std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.first == form; })
-        ->second;
-}
+std::string_view spelling_of(LawForm form) { return law_form_names.at(static_cast<std::size_t>(form)); }
 std::optional<LawForm> law_form_spelt(std::string_view text) {
-    const auto found =
-        std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.second == text; });
-    if (found == spellings.end()) return std::nullopt;
-    return found->first;
-}
-std::vector<std::string> law_forms() {
-    std::vector<std::string> names;
-    for (const auto& each : spellings) names.emplace_back(each.second);
-    return names;
+    const auto* const found = std::find(law_form_names.begin(), law_form_names.end(), text);
+    if (found == law_form_names.end()) return std::nullopt;
+    return static_cast<LawForm>(found - law_form_names.begin());
 }
 
 double Law::length() const {

@@ -2,6 +2,7 @@
 // rises. Contains the pieces' closed forms only.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,10 +24,11 @@ enum class LawForm {
     modified_trapezoidal  ///< the acceleration's ramps are sines of an eighth each; its greatest value 8π/(2+π) h/T²
 };
 
-/// How files write the forms: "3-4-5".
+/// How files write the forms, in the order of LawForm.
+inline constexpr std::array<std::string_view, 7> law_form_names{
+    "rest", "constant speed", "constant acceleration", "harmonic", "cycloidal", "3-4-5", "modified trapezoidal"};
 std::string_view spelling_of(LawForm form);
 std::optional<LawForm> law_form_spelt(std::string_view text);
-std::vector<std::string> law_forms();
 
 /// SI: rise in rad or m, `over` in s, or in rad of the cam's rotation; `over` is positive.
 struct LawPiece {

@@ -7,6 +7,24 @@
 #include <utility>
 
 namespace kinegraph {
+namespace {
+
+constexpr std::array body_circle_rows{
+    FormRow("centre", "P", values::point_name).needed(lang::common::the_centre_of_the_circle), values::radius};
+constexpr Form body_circle{lang::bodies::a_body_circle, body_circle_rows, "A disc, a wheel, a pitch circle."};
+
+constexpr FormValue points_of_body = values::list(values::point_in_array);
+constexpr std::array body_rows{FormRow("points", "[…]", points_of_body).called(lang::bodies::an_array_of_points),
+                               FormRow("label", "\"…\"", values::texts),
+                               FormRow("circle", R"({"centre": P, "radius": r})", values::object(body_circle))
+                                   .called(lang::bodies::centre_radius)};
+constexpr Form body_form{lang::bodies::a_body, body_rows};
+constexpr std::array body_choices{points_of_body, values::object(body_form)};
+
+}  // namespace
+
+constinit const FormValue forms::body =
+    values::any(body_choices).named("body", "A body: the points that move with it, or an object.");
 
 void BodiesSection::register_bodies(JsonValue stated, JsonValue bodies) {
     std::string_view frame_name = "0";
@@ -43,12 +61,12 @@ void BodiesSection::read_bodies(JsonValue bodies) {
         const BodyIndex index = file_.index_of_body(member.key());
         JsonValue points = member;
         if (member.is_object()) {
-            const Members form = file_.members(member, {"points", "label", "circle"}, {lang::bodies::a_body});
-            points = form["points"];
+            const Members form = file_.members(member, body_form);
             if (form["label"]) body_at(index).label = file_.words(form["label"]);
-            if (form["circle"]) read_body_circle(form["circle"], index);
+            if (const Members circle = form.form("circle"))
+                body_at(index).circle = Circle{circle.point("centre"), circle.quantity_or_default("radius")};
+            points = form.expected("points");
             if (!points) continue;
-            if (!file_.expect(points, Kind::array, {lang::bodies::an_array_of_points})) continue;
         } else if (!file_.expect(points, Kind::array, {lang::bodies::an_array_of_points_or_points})) {
             continue;
         }
@@ -61,16 +79,6 @@ void BodiesSection::carry(BodyIndex on, PointIndex carried) {
     const std::uint64_t pair =
         (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
     if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
-}
-
-void BodiesSection::read_body_circle(JsonValue value, BodyIndex index) {
-    if (!file_.expect(value, Kind::object, {lang::bodies::centre_radius})) return;
-    const Members form = file_.members(value, {"centre", "radius"}, {lang::bodies::a_body_circle});
-    Circle circle;
-    circle.centre = file_.point(file_.required(form, "centre", {lang::common::the_centre_of_the_circle}));
-    circle.radius = file_.positive(file_.required(form, "radius", {lang::common::the_radius_of_the_circle}),
-                                   QuantityKind::length, {lang::common::a_radius});
-    body_at(index).circle = std::move(circle);
 }
 
 }  // namespace kinegraph

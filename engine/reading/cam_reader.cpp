@@ -12,6 +12,44 @@
 namespace kinegraph {
 namespace {
 
+constexpr std::array cam_unit_rows{
+    FormRow("length", {}, values::unit(QuantityKind::length)),
+    FormRow("angle", {}, values::unit(QuantityKind::angle)),
+    FormRow("angular velocity", {}, values::unit(QuantityKind::angular_velocity)),
+};
+constexpr Form cam_units{lang::cams::units_of_a_cam, cam_unit_rows};
+
+/// In the order of Follower::Moves and Follower::Face.
+constexpr std::array<std::string_view, 2> moves_of_follower{"translating", "oscillating"};
+constexpr std::array<std::string_view, 3> faces_of_follower{"roller", "flat", "knife edge"};
+constexpr std::array<std::string_view, 2> sides_of_cam{"left", "right"};
+constexpr std::array follower_rows{
+    FormRow("moves", "…", values::word(moves_of_follower)).needed(lang::cams::translating_or_oscillating),
+    FormRow("face", "…", values::word(faces_of_follower)).needed(lang::cams::roller_flat_or_knife_edge),
+    FormRow("radius", "r", values::length).positive(),
+    FormRow("offset", "e", values::length),
+    FormRow("pivot", "[x, y]", values::coordinates),
+    FormRow("arm", "l", values::length).positive(),
+    FormRow("side", "…", values::word(sides_of_cam))};
+constexpr Form follower_form{lang::cams::a_follower, follower_rows};
+constexpr std::array cam_rows{
+    FormRow("omega", "…", values::angular_velocity).needed(lang::cams::how_fast_the_cam_turns),
+    FormRow("base radius", "r", values::length).needed(lang::cams::the_radius_of_the_base_circle).positive(),
+    FormRow("follower", "{…}", values::object(follower_form))
+        .needed(lang::cams::what_the_cam_moves)
+        .called(lang::cams::a_follower),
+    FormRow("law", "…", values::number_or_text).needed(lang::cams::how_the_follower_moves_over)};
+constexpr Form cam_form{lang::cams::a_cam, cam_rows};
+constexpr std::array cam_file_rows{
+    FormRow("$schema", "\"…\"", values::text),
+    FormRow("kinegraph", "1", values::number).needed(lang::common::write_the_version),
+    FormRow("title", "\"…\"", values::texts),
+    FormRow("units", "{…}", values::object(cam_units)).called(lang::cams::an_object_of_units_by_quantity),
+    FormRow("cam", "{…}", values::object(cam_form))
+        .needed(lang::cams::the_cam_its_law_its_base)
+        .called(lang::cams::a_cam)};
+constexpr Form cam_file{lang::cams::the_file_of_a_cam, cam_file_rows};
+
 class CamReader : private LawReader {
 public:
     CamReader(const JsonSource& source, std::string name) : source_(source) { cam_.source = std::move(name); }
@@ -34,24 +72,20 @@ public:
 private:
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::cam)) return fault(other->first, other->second);
-        const Members file =
-            members(root, {"$schema", "kinegraph", "title", "units", "cam"}, {lang::cams::the_file_of_a_cam});
-        const JsonValue version = required(file, "kinegraph", {lang::common::write_the_version});
+        const Members file = members(root, cam_file);
+        const JsonValue version = file.value("kinegraph");
         if (version && (!version.is_number() || version.text() != "1"))
             fault(version, {lang::cams::the_version_of_the_format, described(version)});
         if (file["title"]) cam_.title = words(file["title"]);
-        read_units(file["units"]);
-        const JsonValue cam = required(file, "cam", {lang::cams::the_cam_its_law_its_base});
-        if (cam && expect(cam, Kind::object, {lang::cams::a_cam})) read_cam(cam);
+        read_units(file);
+        if (const Members cam = file.form("cam")) read_cam(cam);
     }
 
-    void read_units(JsonValue units) {
-        if (units && expect(units, Kind::object, {lang::cams::an_object_of_units_by_quantity})) {
-            const Members set = members(units, {"length", "angle", "angular velocity"}, {lang::cams::units_of_a_cam});
-            for (const auto& [key, kind] :
-                 {std::pair("length", QuantityKind::length), std::pair("angle", QuantityKind::angle),
-                  std::pair("angular velocity", QuantityKind::angular_velocity)}) {
-                const JsonValue value = set[key];
+    void read_units(const Members& file) {
+        if (const Members set = file.form("units")) {
+            for (const FormRow& row : cam_unit_rows) {
+                const JsonValue value = set[row.key];
+                const QuantityKind kind = row.value.kind;
                 if (!value || !expect(value, Kind::string, {lang::common::a_unit})) continue;
                 const KnownUnit* unit = unit_spelt(value.text());
                 if (unit == nullptr || unit->kind != kind)
@@ -69,52 +103,37 @@ private:
         set(cam_.units.angular_velocity, QuantityKind::angular_velocity);
     }
 
-    void read_cam(JsonValue value) {
-        const Members form = members(value, {"omega", "base radius", "follower", "law"}, {lang::cams::a_cam});
-        const JsonValue omega = required(form, "omega", {lang::cams::how_fast_the_cam_turns});
-        cam_.omega = quantity(omega, QuantityKind::angular_velocity).value_or(Exact(1));
+    void read_cam(const Members& form) {
+        cam_.omega = form.quantity("omega").value_or(Exact(1));
         if (cam_.omega.is_zero()) {
-            fault(omega, {lang::cams::a_cam_that_does_not_turn});
+            fault(form["omega"], {lang::cams::a_cam_that_does_not_turn});
             cam_.omega = 1;
         }
-        cam_.base_circle = positive(required(form, "base radius", {lang::cams::the_radius_of_the_base_circle}),
-                                    QuantityKind::length, std::string("\"base radius\""));
-        const JsonValue follower = required(form, "follower", {lang::cams::what_the_cam_moves});
-        if (follower && expect(follower, Kind::object, {lang::cams::a_follower})) read_follower(follower);
-        const JsonValue law = required(form, "law", {lang::cams::how_the_follower_moves_over});
-        if (law) read_law(law);
+        cam_.base_circle = form.quantity_or_default("base radius");
+        if (const Members follower = form.form("follower")) read_follower(follower);
+        if (const JsonValue law = form.value("law")) read_law(law);
     }
 
-    /// The choice of this name; `fallback`, with a fault reported, where there is none.
-    template <class Choice, std::size_t count>
-    Choice choice(JsonValue value, const std::array<std::pair<std::string_view, Choice>, count>& known) {
-        if (!value || !expect(value, Kind::string, {lang::cams::a_word})) return known.front().second;
-        for (const auto& [word, meant] : known)
-            if (value.text() == word) return meant;
-        std::vector<std::string> names;
+    /// The place of the member's word among those of its row; the first, with a fault reported, where it is none.
+    std::size_t choice(const Members& form, std::string_view key) {
+        const JsonValue value = form.value(key);
+        if (!value || !expect(value, Kind::string, {lang::cams::a_word})) return 0;
+        const auto known = follower_form.row(key)->value.words;
+        const auto found = std::find(known.begin(), known.end(), value.text());
+        if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
         std::string list;
-        for (const auto& each : known) {
-            names.emplace_back(each.first);
-            list += (list.empty() ? "" : ", ") + quoted(each.first);
-        }
+        for (const std::string_view each : known) list += (list.empty() ? "" : ", ") + quoted(each);
         fault(value,
-              {lang::cams::is_none, quoted(value.text()), list, did_you_mean(speller_.nearest(value.text(), names))});
-        return known.front().second;
+              {lang::cams::is_none, quoted(value.text()), list, did_you_mean(speller_.nearest(value.text(), known))});
+        return 0;
     }
 
-    void read_follower(JsonValue value) {
+    void read_follower(const Members& form) {
         using Moves = Follower::Moves;
         using Face = Follower::Face;
-        const Members form =
-            members(value, {"moves", "face", "radius", "offset", "pivot", "arm", "side"}, {lang::cams::a_follower});
         Follower& follower = cam_.follower;
-        follower.moves = choice(required(form, "moves", {lang::cams::translating_or_oscillating}),
-                                std::array{std::pair{std::string_view("translating"), Moves::translating},
-                                           std::pair{std::string_view("oscillating"), Moves::oscillating}});
-        follower.face = choice(required(form, "face", {lang::cams::roller_flat_or_knife_edge}),
-                               std::array{std::pair{std::string_view("roller"), Face::roller},
-                                          std::pair{std::string_view("flat"), Face::flat},
-                                          std::pair{std::string_view("knife edge"), Face::knife_edge}});
+        follower.moves = static_cast<Moves>(choice(form, "moves"));
+        follower.face = static_cast<Face>(choice(form, "face"));
         const bool oscillates = follower.moves == Moves::oscillating, is_flat = follower.face == Face::flat;
         follower.radius = wanted(form, "radius", follower.face == Face::roller, true, {lang::cams::the_roller_radius},
                                  {lang::cams::only_a_roller_has_a_radius});
@@ -129,9 +148,7 @@ private:
         } else if (pivot) {
             fault(pivot, {lang::cams::only_an_oscillating_follower});
         }
-        if (const JsonValue side = form["side"])
-            follower.on_left = choice(side, std::array{std::pair{std::string_view("left"), true},
-                                                       std::pair{std::string_view("right"), false}});
+        if (form["side"]) follower.on_left = choice(form, "side") == 0;
     }
 
     /// A length that some kinds of follower need and others must not have.
@@ -142,15 +159,14 @@ private:
             if (value) fault(value, why_not);
             return 0;
         }
-        if (is_needed) return positive(required(form, key, meaning), QuantityKind::length, quoted(key));
-        return quantity_or_zero(value, QuantityKind::length);
+        if (is_needed) required(form, key, meaning);
+        return form.quantity_or_default(key);
     }
 
     void read_law(JsonValue value) {
         const std::size_t before = faults_.size();
         const bool turning = cam_.follower.moves == Follower::Moves::oscillating;
-        cam_.law = law_of_value(
-            value, {"rise", turning ? QuantityKind::angle : QuantityKind::length, "turn", QuantityKind::angle});
+        cam_.law = law_of_value(value, turning ? forms::piece_of_swing : forms::piece_of_lift);
         if (faults_.size() > before) return;
         Exact turn, end;
         bool sinks = false;

@@ -8,6 +8,23 @@
 #include <variant>
 
 namespace kinegraph {
+namespace {
+
+constexpr std::array material_rows{Materials::name_row, Materials::young_row, Materials::poisson_row,
+                                   Materials::depth_row};
+constexpr Form material_form{lang::joints::a_material, material_rows};
+constexpr std::array material_choices{values::defined(forms::material_name), values::object(material_form)};
+constexpr FormValue one_material =
+    values::any(material_choices)
+        .named("material", "A material known by name, or young and poisson; depth as in a Hertz problem.");
+constexpr std::array contact_material_choices{values::defined(forms::material_name), values::map(one_material, 2, 2)};
+
+}  // namespace
+
+constinit const FormValue forms::contact_materials =
+    values::any(contact_material_choices)
+        .named("contactMaterials",
+               "Hertzian contact under the force found: one material for both bodies, or by body. With \"length\".");
 
 void ContactsOfJoints::read(const Members& form, const Joint& joint, JointIndex index) {
     const JsonValue materials = form["materials"];
@@ -20,8 +37,8 @@ void ContactsOfJoints::read(const Members& form, const Joint& joint, JointIndex 
     contact.joint = index;
     contact.where = materials.pointer();
     read_bodies(materials, joint, contact);
-    contact.length = file_.positive(file_.required(form, "length", {lang::common::the_length_of_contact}),
-                                    QuantityKind::length, {lang::common::the_length});
+    file_.required(form, "length", {lang::common::the_length_of_contact});
+    contact.length = form.quantity_or_default("length");
     check_profiles(materials, form, joint);
     contacts_.push_back(std::move(contact));
 }
@@ -53,11 +70,9 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         if (member.is_string())
             materials_.read_by_name(member, body);
         else if (file_.expect(member, Kind::object, {lang::joints::a_material})) {
-            const Members properties =
-                file_.members(member, {"material", "young", "poisson", "depth"}, {lang::joints::a_material});
+            const Members properties = file_.members(member, material_form);
             materials_.read(properties, body);
-            if (properties["depth"])
-                body.depth = file_.positive(properties["depth"], QuantityKind::length, {lang::common::the_depth});
+            if (properties["depth"]) body.depth = properties.quantity_or_default("depth");
         }
     }
     for (std::size_t i = 0; i < 2; ++i)

@@ -21,6 +21,17 @@ constexpr std::array polygon_phrases{
     std::pair{std::string_view("force polygon readable"), Condition::Polygon::force},
 };
 
+constexpr std::array variation_rows{
+    FormRow("from", "…", values::number_or_text).needed(lang::exercises::the_first_value_or_give_choose),
+    FormRow("to", "…", values::number_or_text).needed(lang::exercises::the_last_value),
+    FormRow("step", "…", values::number_or_text).needed(lang::exercises::from_one_value_to_the_next),
+    FormRow("choose", "[…]", values::list(values::number_or_text, 1)).called(lang::exercises::an_array_of_values)};
+constexpr std::array variation_choices{
+    Form::Choice{"From a first value to a last one, step by step.", {"from", "to", "step"}},
+    Form::Choice{"One of these.", {"choose"}}};
+constexpr Form variation_form{lang::exercises::what_a_parameter_may, variation_rows, {}, {}, variation_choices};
+constexpr std::array variation_objects{values::object(variation_form)};
+
 std::string_view trimmed(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
@@ -61,6 +72,8 @@ bool holds_by(Condition::Relation relation, int order) {
 
 }  // namespace
 
+constinit const FormValue forms::variation = values::any(variation_objects);
+
 void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     if (!file["ask"] && !file["vary"] && !file["require"]) return;
     // Names of results are known only if everything that has results was readable.
@@ -73,9 +86,9 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
         });
     Exercise exercise;
     exercise.comes_to = std::move(comes_to_);
-    if (file["ask"]) read_ask(file["ask"], exercise);
-    if (file["vary"]) read_vary(file["vary"], exercise);
-    if (file["require"]) read_require(file["require"], mechanism, exercise);
+    if (const JsonValue ask = file.expected("ask")) read_ask(ask, exercise);
+    if (const JsonValue vary = file.expected("vary")) read_vary(vary, exercise);
+    file.each("require", [&](JsonValue value) { read_require(value, mechanism, exercise); });
     mechanism.exercise = std::make_shared<const Exercise>(std::move(exercise));
 }
 
@@ -107,8 +120,6 @@ tl::expected<Column, Words> ExerciseReader::add_expression(std::string_view text
 // ----- ask
 
 void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
-    const Words wanted(lang::exercises::an_array_of_names_of_results);
-    if (!expect(ask, Kind::array, wanted)) return;
     if (ask.size() == 0) fault(ask, {lang::exercises::nothing_is_asked_for_take_ask});
     for (const JsonValue value : ask) {
         if (!expect(value, Kind::string, {lang::exercises::the_name_of_a_result_such})) continue;
@@ -133,7 +144,6 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
 // ----- vary
 
 void ExerciseReader::read_vary(JsonValue vary, Exercise& exercise) {
-    if (!expect(vary, Kind::object, {lang::exercises::an_object_of_parameters})) return;
     if (vary.size() == 0) fault(vary, {lang::exercises::nothing_varies_take_vary_out});
     for (const JsonValue member : vary) read_variation(member, exercise);
 }
@@ -155,7 +165,7 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     }
     const Words wanted(lang::exercises::from_to_step_or_choose);
     if (!expect(member, Kind::object, wanted)) return;
-    const Members form = members(member, {"from", "to", "step", "choose"}, {lang::exercises::what_a_parameter_may});
+    const Members form = members(member, variation_form);
     Variation variation;
     variation.parameter = member.key();
     variation.where = member.pointer();
@@ -163,7 +173,7 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     if (form["choose"]) {
         for (const std::string_view key : {"from", "to", "step"})
             if (form[key]) fault(form[key], {lang::exercises::and_choose_exclude_each_other_take, quoted(key)});
-        read_choices(form["choose"], own, variation);
+        if (const JsonValue choose = form.expected("choose")) read_choices(choose, own, variation);
     } else {
         read_steps(form, own, variation);
     }
@@ -209,7 +219,6 @@ std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, cons
 }
 
 void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variation& variation) {
-    if (!expect(choose, Kind::array, {lang::exercises::an_array_of_values})) return;
     if (choose.size() == 0) fault(choose, {lang::exercises::there_is_nothing_to_choose});
     std::vector<Exact> values;
     for (const JsonValue value : choose) {
@@ -225,10 +234,9 @@ void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variati
 
 void ExerciseReader::read_steps(const Members& form, const Measured* own, Variation& variation) {
     constexpr int most = 1'000'000;
-    const auto from =
-        value_of_parameter(required(form, "from", {lang::exercises::the_first_value_or_give_choose}), own);
-    const auto to = value_of_parameter(required(form, "to", {lang::exercises::the_last_value}), own);
-    const auto step = value_of_parameter(required(form, "step", {lang::exercises::from_one_value_to_the_next}), own);
+    const auto from = value_of_parameter(form.value("from"), own);
+    const auto to = value_of_parameter(form.value("to"), own);
+    const auto step = value_of_parameter(form.value("step"), own);
     if (!from || !to || !step) return;
     for (const auto& [key, value] : {std::pair("to", &*to), std::pair("step", &*step)})
         if (value->is_bare != from->is_bare || !(value->dimension == from->dimension)) {
@@ -270,13 +278,9 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
 
 // ----- require
 
-void ExerciseReader::read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise) {
-    const Words wanted(lang::exercises::an_array_of_conditions_such);
-    if (!expect(require, Kind::array, wanted)) return;
-    for (const JsonValue value : require) {
-        if (!expect(value, Kind::string, {lang::exercises::a_condition_such_as_omega_3})) continue;
-        if (auto read = condition(value, mechanism, exercise)) exercise.require.push_back(*std::move(read));
-    }
+void ExerciseReader::read_require(JsonValue value, const Mechanism& mechanism, Exercise& exercise) {
+    if (!expect(value, Kind::string, {lang::exercises::a_condition_such_as_omega_3})) return;
+    if (auto read = condition(value, mechanism, exercise)) exercise.require.push_back(*std::move(read));
 }
 
 std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_view text, const Mechanism& mechanism) {

@@ -31,7 +31,7 @@ private:
     /// A value of a variation: a number or a quantity, of the parameter's kind.
     std::optional<Measured> value_of_parameter(JsonValue value, const Measured* own);
 
-    void read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise);
+    void read_require(JsonValue value, const Mechanism& mechanism, Exercise& exercise);
     std::optional<Condition> condition(JsonValue value, const Mechanism& mechanism, Exercise& exercise);
     std::optional<Condition> phrase(JsonValue value, std::string_view text, const Mechanism& mechanism);
     std::optional<Operand> operand(JsonValue at, std::string_view text, bool is_problem, Exercise& exercise);

@@ -46,6 +46,16 @@ Members FormReader::members(JsonValue object, std::span<const std::string_view> 
     return result;
 }
 
+Members FormReader::members(JsonValue object, const Form& form) {
+    std::vector<std::string_view> keys;
+    for (const FormRow& row : form.rows) keys.push_back(row.key);
+    keys.insert(keys.end(), form.others.begin(), form.others.end());
+    Members result = members(object, keys, {form.called, form.rows.front().key});
+    result.file_ = this;
+    result.form_ = &form;
+    return result;
+}
+
 JsonValue FormReader::required(const Members& of, std::string_view key, const Words& meaning) {
     if (of[key]) return of[key];
     if (!of.has_or_misspells(key)) fault(of.object_, {lang::forms::is_missing, key, meaning});
@@ -56,7 +66,7 @@ void FormReader::not_together(JsonValue at, std::string_view other) {
     fault(at, {lang::forms::and_do_not_go_together_take, quoted(at.key()), quoted(other)});
 }
 
-JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed) {
+JsonValue FormReader::one_of(const Members& of, std::span<const std::string_view> keys, bool needed) {
     JsonValue only;
     for (const std::string_view key : keys) {
         if (!of[key]) continue;
@@ -71,7 +81,7 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
     const bool misspelt =
         std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
     if (!only && needed && !misspelt) {
-        fault(of.object_, {lang::forms::one_of_is_missing, listed({keys.begin(), keys.size()})});
+        fault(of.object_, {lang::forms::one_of_is_missing, listed(keys)});
     }
     return only;
 }
@@ -358,12 +368,6 @@ Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what
     return number.value_or(Exact(1));
 }
 
-Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& what) {
-    const auto number = quantity(value, kind);
-    if (number && number->sign() < 0) fault(value, {lang::forms::must_not_be_negative, what});
-    return number.value_or(Exact());
-}
-
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
     if (!value || (!is_numeric(value) && !expect(value, Kind::number, {lang::common::a_bare_number})))
         return std::nullopt;
@@ -451,8 +455,6 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
     fault(value, {lang::forms::a_direction_is_wanted_here, described(value)});
     return std::nullopt;
 }
-
-Bearing FormReader::bearing_or_default(JsonValue value) { return bearing(value).value_or(Bearing{}); }
 
 Place FormReader::place(JsonValue value) {
     if (value.is_array())

@@ -19,32 +19,11 @@
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/forms.hpp"
 
 namespace kinegraph {
 
-/// The permitted members of an object.
-class Members {
-public:
-    JsonValue operator[](std::string_view key) const {
-        const auto found =
-            std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
-        return found == known_.end() ? JsonValue() : *found;
-    }
-    /// Whether it is present, possibly misspelt (then already reported).
-    bool has_or_misspells(std::string_view key) const {
-        return (*this)[key] || std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
-    }
-
-    /// The object itself.
-    JsonValue object() const { return object_; }
-    bool has_misspelt() const { return !misspelt_.empty(); }
-
-private:
-    friend class FormReader;
-    JsonValue object_;
-    std::vector<JsonValue> known_;
-    std::vector<std::string> misspelt_;
-};
+class Members;
 
 /// The base of the readers of files and sections. An unreadable value is reported and replaced by a harmless one.
 class FormReader {
@@ -58,15 +37,16 @@ public:
     bool expect(JsonValue value, Kind kind, const Words& wanted);
     /// Sorts an object's members; reports those that are not in `form` ("a driver").
     Members members(JsonValue object, std::span<const std::string_view> known, const Words& form);
-    Members members(JsonValue object, std::initializer_list<std::string_view> known, const Words& form) {
-        return members(object, std::span(known.begin(), known.size()), form);
-    }
+    Members members(JsonValue object, const Form& form);
     /// The member; if missing, a fault that states what it is needed for.
     JsonValue required(const Members& of, std::string_view key, const Words& meaning);
     /// Reports a member that must not stand beside another one of that key.
     void not_together(JsonValue at, std::string_view other);
     /// The present one of several mutually exclusive members; a fault where there are none (if `needed`) or several.
-    JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true);
+    JsonValue one_of(const Members& of, std::span<const std::string_view> keys, bool needed);
+    JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true) {
+        return one_of(of, std::span(keys.begin(), keys.size()), needed);
+    }
     template <class Action>
     void each(JsonValue array, const Words& wanted, Action&& action) {
         if (!array || !expect(array, Kind::array, wanted)) return;
@@ -129,7 +109,6 @@ public:
     std::optional<Exact> quantity(JsonValue value, QuantityKind kind);
     Exact quantity_or_zero(JsonValue value, QuantityKind kind);
     Exact positive(JsonValue value, QuantityKind kind, const Words& what);
-    Exact not_negative(JsonValue value, QuantityKind kind, const Words& what);
     std::optional<Exact> bare_number(JsonValue value);
     std::optional<Angle> angle(JsonValue value);
     /// [x, y], each a quantity (or a bare number where dimensionless).
@@ -139,7 +118,6 @@ public:
     Bearing::Between between(JsonValue value);
     /// FORMAT "X, a direction".
     std::optional<Bearing> bearing(JsonValue value);
-    Bearing bearing_or_default(JsonValue value);
     /// A point's name or bare coordinates.
     Place place(JsonValue value);
 
@@ -170,6 +148,83 @@ protected:
     Parameter* being_read_ = nullptr;               ///< the innermost one being evaluated
     std::string comes_to_;                          ///< the values of all formulas except those of parameters
     std::vector<PointIndex>* collected_ = nullptr;  ///< collects the points that a placement uses
+};
+
+/// The permitted members of an object. The values of those that the form's rows describe are read as the rows say: one
+/// that is needed and missing is reported, and so is one of a wrong kind or sign.
+class Members {
+public:
+    Members() = default;
+    /// Whether there is an object.
+    explicit operator bool() const { return bool(object_); }
+    JsonValue operator[](std::string_view key) const {
+        const auto found =
+            std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
+        return found == known_.end() ? JsonValue() : *found;
+    }
+    /// Whether it is present, possibly misspelt (then already reported).
+    bool has_or_misspells(std::string_view key) const {
+        return (*this)[key] || std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
+    }
+    /// Whether it has a key, possibly misspelt, of another form of its place.
+    bool is_of_another_form() const {
+        const auto keys = form_->others;
+        return std::any_of(keys.begin(), keys.end(), [this](std::string_view key) { return has_or_misspells(key); });
+    }
+
+    /// The object itself.
+    JsonValue object() const { return object_; }
+    bool has_misspelt() const { return !misspelt_.empty(); }
+
+    // ----- values
+    /// The member; a fault where it is missing and needed.
+    JsonValue value(std::string_view key) const {
+        const FormRow& of = row(key);
+        return of.need == FormRow::Need::required ? file_->required(*this, key, of.missing) : (*this)[key];
+    }
+    /// The same, of the JSON kind that its row asks for.
+    JsonValue expected(std::string_view key) const;
+    /// The elements of an array, the members of an object by name.
+    template <class Action>
+    void each(std::string_view key, Action&& action) const {
+        if (const JsonValue all = expected(key))
+            for (const JsonValue element : all) action(element);
+    }
+    /// The members of an object that has a form of its own; false where it is missing or unreadable.
+    Members form(std::string_view key) const {
+        const JsonValue there = expected(key);
+        return there ? file_->members(there, *row(key).value.form) : Members();
+    }
+    /// The present one of the keys that exclude each other; a fault where there are several, or none and one is needed.
+    JsonValue one_of() const;
+    PointIndex point(std::string_view key) const { return file_->point(value(key)); }
+    BodyIndex body(std::string_view key) const { return file_->body(value(key)); }
+    /// A new name.
+    std::string name(std::string_view key) const;
+    /// "true"; false otherwise.
+    bool flag(std::string_view key) const;
+    /// In SI.
+    std::optional<Exact> quantity(std::string_view key) const {
+        return file_->quantity(value(key), row(key).value.kind);
+    }
+    /// If it is unreadable, 1 of what must be positive, otherwise 0.
+    Exact quantity_or_default(std::string_view key) const;
+    std::optional<Exact> number(std::string_view key) const { return file_->bare_number(value(key)); }
+    Angle angle(std::string_view key) const { return file_->angle(value(key)).value_or(Angle{}); }
+    std::optional<Vector> vector(std::string_view key) const;
+    std::optional<Bearing> bearing(std::string_view key) const { return file_->bearing(value(key)); }
+    Bearing bearing_or_default(std::string_view key) const { return bearing(key).value_or(Bearing{}); }
+    Place place(std::string_view key) const;
+
+private:
+    friend class FormReader;
+    const FormRow& row(std::string_view key) const;
+
+    FormReader* file_ = nullptr;
+    const Form* form_ = nullptr;
+    JsonValue object_;
+    std::vector<JsonValue> known_;
+    std::vector<std::string> misspelt_;
 };
 
 }  // namespace kinegraph

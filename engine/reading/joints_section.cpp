@@ -1,14 +1,83 @@
 #include "engine/reading/sections.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <utility>
 
 #include "engine/file/units.hpp"
+#include "engine/number/assert.hpp"
+#include "lang/keys/common.hpp"
 #include "lang/keys/joints.hpp"
 
 namespace kinegraph {
+namespace {
+
+constexpr FormRow joint_at(std::string_view kind) { return leading_key(kind, "P", values::point_name); }
+constexpr FormRow joint_bodies = FormRow("bodies", "[i, j]", values::two_bodies, "The two bodies i, j.")
+                                     .needed(lang::joints::the_bodies_that_the_joint_connects);
+constexpr FormRow hinge_bodies =
+    FormRow("bodies", "[i, j, …]", values::list(values::body_name, 2), "Two bodies or more.")
+        .needed(lang::joints::the_bodies_that_the_joint_connects);
+constexpr FormRow guide("along", "X", values::direction);
+constexpr FormRow profiles_row = FormRow("profiles", "{…}", values::defined(forms::profiles)).at_most_one();
+constexpr FormRow tangent_row = FormRow("tangent", "X", values::direction,
+                                        "The common tangent, instead of profiles; serves velocities and forces only.")
+                                    .at_most_one();
+constexpr FormRow joint_materials("materials", "…", values::defined(forms::contact_materials));
+constexpr FormRow contact_length = FormRow("length", "l", values::length).positive(lang::common::the_length);
+constexpr FormRow joint_name = FormRow("name", "\"…\"", values::name,
+                                       "What results and references call the joint; else it goes by its point's name.")
+                                   .called(lang::joints::a_name);
+
+constexpr std::array revolute_rows{joint_at("revolute"), hinge_bodies, joint_name};
+constexpr std::array prismatic_rows{joint_at("prismatic"), joint_bodies,
+                                    guide.needed(lang::joints::the_direction_of_the_guide), joint_name};
+constexpr std::array slot_rows{joint_at("pin-slot"), joint_bodies, guide.one_of(),
+                               FormRow("arc", "C", values::point_name, "The centre of a curved slot.").one_of(),
+                               joint_name};
+constexpr std::array rolling_rows{joint_at("rolling"), joint_bodies,   profiles_row, tangent_row,
+                                  joint_materials,     contact_length, joint_name};
+constexpr std::array contact_rows{
+    joint_at("contact"),
+    joint_bodies,
+    profiles_row,
+    tangent_row,
+    FormRow("pushes", "[dx, dy]", values::sense, "One-sided: the sense of the force on i."),
+    joint_materials,
+    contact_length,
+    joint_name};
+constexpr std::array gear_rows{joint_at("gear"),
+                               joint_bodies,
+                               profiles_row,
+                               tangent_row,
+                               FormRow("pressure angle", "a", values::angle),
+                               FormRow("arm", "k", values::body_name, "The carrier, when it is not the frame."),
+                               joint_materials,
+                               contact_length,
+                               joint_name};
+constexpr std::array weld_rows{joint_at("weld"), joint_bodies, joint_name};
+
+/// In the order of JointKind.
+constexpr std::array joint_forms{
+    Form{lang::joints::a_revolute, revolute_rows, "A hinge."},
+    Form{lang::joints::a_prismatic_joint, prismatic_rows,
+         "A slider or sleeve: j carries the guide, which passes through the point along X."},
+    Form{lang::joints::a_pin_slot, slot_rows, "A pin of i in a slot of j, straight (\"along\") or curved (\"arc\")."},
+    Form{lang::joints::a_rolling_joint, rolling_rows, "Rolling without slip."},
+    Form{lang::joints::a_contact, contact_rows, "A sliding contact."},
+    Form{lang::joints::a_gear, gear_rows, "Pitch curves that touch at the pitch point."},
+    Form{lang::joints::a_weld, weld_rows, "Clamped."}};
+constexpr std::array joint_choices = values::objects(joint_forms);
+
+const Form& form_of(const PlanePair& pair) {
+    const Form& form = joint_forms.at(static_cast<std::size_t>(pair.kind));
+    KG_ASSERT(form.rows.front().key == pair.key, "the forms of joints stand in the order of the kinds");
+    return form;
+}
+
+}  // namespace
+
+constinit const FormValue forms::joint = values::any(joint_choices).named("joint", "A joint between bodies.");
 
 void JointsSection::read_joints(const Members& file) {
     const JsonValue joints = file["joints"];
@@ -20,7 +89,7 @@ void JointsSection::read_joints(const Members& file) {
         file_.required(file, "joints", {lang::joints::an_array_of_joints_or_motion});
     }
     joints_known_ = joints && joints.is_array();
-    file_.each(joints, {lang::joints::an_array_of_joints}, [&](JsonValue v) { read_joint(v); });
+    file.each("joints", [&](JsonValue v) { read_joint(v); });
 }
 
 JointIndex JointsSection::sliding_joint(JsonValue value, const Words& remedy) {
@@ -68,18 +137,17 @@ void JointsSection::read_joint(JsonValue value) {
     Joint joint;
     joint.kind = pair->kind;
     joint.where = value.pointer();
-    const Members form = file_.members(value, keys_of(*pair), {pair->called, pair->key});
+    const Members form = file_.members(value, form_of(*pair));
     const JsonValue at = form[pair->key];
     joint.point = file_.point(at);
     joint.name = at.is_string() ? at.text() : std::string_view();
     if (form["name"]) {
         joint.named = true;
-        joint.name = file_.new_name(form["name"], {lang::joints::a_name});
+        joint.name = form.name("name");
     }
     if (!at.is_string() && !joint.named) joints_known_ = false;
     read_joint_bodies(form, joint);
-    if (pair->is_sleeve())
-        joint.along = file_.bearing(file_.required(form, "along", {lang::joints::the_direction_of_the_guide}));
+    if (pair->is_sleeve()) joint.along = form.bearing("along");
     if (pair->is_slot()) read_slot(form, joint);
     if (pair->touches()) profiles_.read_profiles(form, joint);
     joint.pushes = file_.sense(form["pushes"]);
@@ -134,23 +202,14 @@ void JointsSection::miss_kind(JsonValue value) {
     for (const PlanePair& pair : plane_pairs) kinds.push_back(pair.key);
     std::vector<std::string_view> keys = kinds;
     for (const PlanePair& pair : plane_pairs)
-        for (const std::string_view key : keys_of(pair))
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+        for (const FormRow& row : form_of(pair).rows)
+            if (std::find(keys.begin(), keys.end(), row.key) == keys.end()) keys.push_back(row.key);
     if (!file_.members(value, keys, {lang::joints::a_joint}).has_misspelt())
         file_.fault(value, {lang::joints::the_kind_of_joint_is_missing, listed(kinds)});
 }
 
-std::vector<std::string_view> JointsSection::keys_of(const PlanePair& pair) {
-    std::vector<std::string_view> keys{pair.key, "bodies"};
-    std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys),
-                 [](auto key) { return !key.empty(); });
-    if (pair.touches()) keys.insert(keys.end(), ContactsOfJoints::keys.begin(), ContactsOfJoints::keys.end());
-    keys.emplace_back("name");
-    return keys;
-}
-
 void JointsSection::read_joint_bodies(const Members& form, Joint& joint) {
-    const JsonValue bodies = file_.required(form, "bodies", {lang::joints::the_bodies_that_the_joint_connects});
+    const JsonValue bodies = form.value("bodies");
     if (!bodies || !file_.expect(bodies, Kind::array, {lang::joints::an_array_of_bodies})) return;
     const bool any_number = joint.pair().joins_many;
     if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
@@ -169,7 +228,7 @@ void JointsSection::read_joint_bodies(const Members& form, Joint& joint) {
 }
 
 void JointsSection::read_slot(const Members& form, Joint& joint) {
-    const JsonValue shape = file_.one_of(form, {"along", "arc"});
+    const JsonValue shape = form.one_of();
     if (!shape) return;
     if (shape.key() == "along") {
         joint.along = file_.bearing(shape);

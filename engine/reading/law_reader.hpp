@@ -9,18 +9,12 @@ namespace kinegraph {
 
 class LawReader : protected FormReader {
 public:
-    /// Keys and kinds of the quantities of a piece: its rise, and its independent variable.
-    struct LawTerms {
-        std::string_view rise;
-        QuantityKind rise_kind;
-        std::string_view over;
-        QuantityKind over_kind;
-    };
-    /// One piece, or an array of pieces. Reports what is unreadable.
-    Law law_of_value(JsonValue value, const LawTerms& terms);
+    /// One piece, or an array of pieces; each has the form, which names the rise and the independent variable. Reports
+    /// what is unreadable.
+    Law law_of_value(JsonValue value, const Form& piece_form);
 
 private:
-    void read_piece(JsonValue value, const LawTerms& terms, Law& law);
+    void read_piece(JsonValue value, const Form& piece_form, Law& law);
 };
 
 }  // namespace kinegraph

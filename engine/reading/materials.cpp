@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <vector>
 
 namespace kinegraph {
 namespace {
@@ -25,7 +24,15 @@ constexpr std::array materials{
     Material{"nylon", 2.9e9, "0.35"},
 };
 
+constexpr std::array material_names = [] {
+    std::array<std::string_view, materials.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = materials[i].name;
+    return names;
+}();
+
 }  // namespace
+
+constinit const FormValue forms::material_name = values::word(material_names);
 
 void Materials::read(const Members& form, ElasticBody& body) {
     body.young = 1;
@@ -34,22 +41,20 @@ void Materials::read(const Members& form, ElasticBody& body) {
             if (form[key]) file_.not_together(form[key], "material");
         return read_by_name(name, body);
     }
-    body.young = file_.positive(file_.required(form, "young", {lang::materials::young_modulus_or_give_a_material}),
-                                QuantityKind::pressure, {lang::materials::young_modulus});
+    file_.required(form, "young", {lang::materials::young_modulus_or_give_a_material});
+    body.young = form.quantity_or_default("young");
     const JsonValue ratio = file_.required(form, "poisson", {lang::materials::poisson_ratio_or_give_a_material});
-    body.poisson = file_.bare_number(ratio).value_or(Exact());
+    body.poisson = form.number("poisson").value_or(Exact());
     if (ratio && (body.poisson.sign() < 0 || body.poisson >= Exact::ratio(1, 2)))
         file_.fault(ratio, {lang::materials::poisson_ratio_must_lie_from_0});
 }
 
 void Materials::read_by_name(JsonValue name, ElasticBody& body) {
-    std::vector<std::string_view> names;
-    for (const Material& each : materials) names.push_back(each.name);
     const auto* found =
         std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
     if (!name.is_string() || found == materials.end()) {
         file_.fault(name, {lang::materials::no_material_is_known_as_known, quoted(name.text()),
-                           did_you_mean(file_.speller().nearest(name.text(), names)), listed(names)});
+                           did_you_mean(file_.speller().nearest(name.text(), material_names)), listed(material_names)});
         return;
     }
     body.young = Exact::from_double(found->young);

@@ -7,6 +7,8 @@
 
 #include "engine/mechanism/contact.hpp"
 #include "engine/reading/form_reader.hpp"
+#include "lang/keys/common.hpp"
+#include "lang/keys/materials.hpp"
 
 namespace kinegraph {
 
@@ -20,6 +22,14 @@ public:
     void read(const Members& form, ElasticBody& body);
     void read_by_name(JsonValue name, ElasticBody& body);
 
+    static constexpr FormRow name_row{"material", "…", values::defined(forms::material_name),
+                                      "A material known by name, in place of young and poisson."};
+    static constexpr FormRow young_row =
+        FormRow("young", "E", values::pressure, "Young's modulus.").positive(lang::materials::young_modulus);
+    static constexpr FormRow poisson_row =
+        FormRow("poisson", "ν", values::number, "Poisson's ratio.").within(R"("minimum": 0, "exclusiveMaximum": 0.5)");
+    static constexpr FormRow depth_row = FormRow("depth", "d", values::length).positive(lang::common::the_depth);
+
 private:
     FormReader& file_;
 };
@@ -30,8 +40,6 @@ class ContactsOfJoints {
 public:
     ContactsOfJoints(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism), materials_(file) {}
 
-    /// The keys that give the materials of a joint with contact.
-    static constexpr std::array<std::string_view, 2> keys{"materials", "length"};
     /// Reads the contact of the joint that will have that index, if it has materials.
     void read(const Members& form, const Joint& joint, JointIndex index);
     /// Moves out the contacts read so far.

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "engine/file/json_source.hpp"
 #include "engine/mechanism/contact.hpp"
@@ -17,7 +16,6 @@
 #include "engine/reading/file_kind.hpp"
 #include "engine/reading/problem_section.hpp"
 #include "engine/reading/sections.hpp"
-#include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/mechanism.hpp"
 
@@ -62,8 +60,7 @@ private:
 
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
-        const std::vector<std::string_view> known = keys_of_file();
-        const Members file = members(root, known, {lang::mechanism::a_mechanism});
+        const Members file = members(root, forms::mechanism());
         read_head(file);
         // A problem names its own bodies and needs no points.
         const bool is_problem = ProblemSection::is_in(file);
@@ -74,8 +71,7 @@ private:
             joints_.read_joints(file);
             if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
                 mechanism_.contacts = std::make_shared<const LoadedContacts>(std::move(contacts));
-            each(file["drivers"], {lang::mechanism::an_array_of_drivers},
-                 [&](JsonValue v) { drivers_.read_driver(v); });
+            file.each("drivers", [&](JsonValue v) { drivers_.read_driver(v); });
             read_forces(file);
             read_wishes(file);
         }
@@ -83,29 +79,14 @@ private:
         if (!is_problem && faults_.empty()) wishes_.read_cuts();
     }
 
-    static std::vector<std::string_view> keys_of_file() {
-        std::vector<std::string_view> known{"$schema",   "kinegraph", "title",   "units",          "parameters",
-                                            "precision", "frame",     "points",  "bodies",         "joints",
-                                            "drivers",   "masses",    "gravity", "inertia forces", "loads",
-                                            "effort",    "motion",    "find",    "scales"};
-        for (const ProblemKind* each : problem_kinds())
-            if (std::find(known.begin(), known.end(), each->key) == known.end()) known.push_back(each->key);
-        known.insert(known.end(), {"ask", "vary", "require", "position of cam"});
-        return known;
-    }
-
     void read_head(const Members& file) {
-        const JsonValue version = required(file, "kinegraph", {lang::common::write_the_version});
-        if (version) read_version(version);
-        if (file["$schema"]) expect(file["$schema"], Kind::string, {lang::common::a_text});
+        if (const JsonValue version = file.value("kinegraph")) read_version(version);
+        file.expected("$schema");
         if (file["title"]) mechanism_.title = words(file["title"]);
-        units_.read_units(file["units"]);
+        units_.read_units(file);
         read_parameters(file["parameters"], set_);
-        if (const JsonValue cam = file["position of cam"];
-            cam && expect(cam, Kind::string, {lang::mechanism::the_name_of_a_cam_file}))
-            mechanism_.cam_file = cam.text();
-        if (file["precision"])
-            mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
+        if (const JsonValue cam = file.expected("position of cam")) mechanism_.cam_file = cam.text();
+        if (file["precision"]) mechanism_.precision = file.quantity_or_default("precision");
     }
 
     void read_points_and_bodies(const Members& file, bool may_be_absent) {
@@ -128,13 +109,10 @@ private:
     }
 
     void read_forces(const Members& file) {
-        loads_.read_masses(file["masses"]);
-        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {lang::mechanism::a_vector_gx_gy});
-        if (const JsonValue inertia = file["inertia forces"];
-            inertia && expect(inertia, Kind::boolean, {lang::common::true_or_false})) {
-            mechanism_.inertia_forces = is_true(inertia);
-        }
-        each(file["loads"], {lang::mechanism::an_array_of_loads}, [&](JsonValue v) { loads_.read_load(v); });
+        loads_.read_masses(file);
+        mechanism_.gravity = file.vector("gravity");
+        mechanism_.inertia_forces = file.flag("inertia forces");
+        file.each("loads", [&](JsonValue v) { loads_.read_load(v); });
         if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
             efforts_.read_effort(effort);
         } else {
@@ -145,8 +123,8 @@ private:
     void read_wishes(const Members& file) {
         if (file["motion"]) motion_.read_motion(file["motion"]);
         if (file["find"]) mechanism_.find.stated = true;
-        each(file["find"], {lang::mechanism::an_array_of_what_to_find}, [&](JsonValue v) { wishes_.read_wish(v); });
-        units_.read_scales(file["scales"]);
+        file.each("find", [&](JsonValue v) { wishes_.read_wish(v); });
+        units_.read_scales(file);
     }
 
     void read_version(JsonValue version) {

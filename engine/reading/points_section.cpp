@@ -9,6 +9,59 @@
 #include <variant>
 
 namespace kinegraph {
+namespace {
+
+constexpr std::array polar_rows{
+    FormRow("from", "P", values::point_name).needed(lang::points::the_point_from_which_the_distance),
+    FormRow("distance", "d", values::length).needed(lang::points::how_far_from_there_the_point),
+    FormRow("angle", "a", values::angle).needed(lang::points::in_which_direction_or_give),
+    FormRow("relative to", "[P, Q]", values::two_points, "The angle counts from this direction instead of +x.")};
+constexpr std::array<std::string_view, 3> other_points{"to", "ratio", "meet"};
+constexpr Form polar_point{lang::points::a_point, polar_rows, "At a distance and an angle from a point.", other_points};
+
+constexpr std::array point_on_line_rows{
+    FormRow("from", "P", values::point_name).needed(lang::points::the_point_from_which_the_distance),
+    FormRow("to", "Q", values::point_name).needed(lang::points::the_point_towards),
+    FormRow("distance", "d", values::length).one_of(),
+    FormRow("ratio", "r", values::number, "In lengths of the join from → to; negative allowed.").one_of()};
+constexpr Form point_on_line_form{lang::points::a_point_on_a_line, point_on_line_rows,
+                                  "On the line from → to, at a distance or a ratio; negative allowed."};
+
+constexpr std::array circle_curve_rows{
+    FormRow("circle", "P", values::place, "The centre.").needed(lang::common::the_centre_of_the_circle),
+    values::radius};
+constexpr Form circle_curve{lang::common::a_circle, circle_curve_rows};
+constexpr std::array line_curve_rows{
+    FormRow("line", "P", values::place, "A point on the line.").needed(lang::points::a_point_on_the_line),
+    FormRow("angle", "a", values::angle).one_of(),
+    FormRow("to", "Q", values::point_name, "Another point on the line.").one_of(),
+    FormRow("parallel", "X", values::direction).one_of(), FormRow("perpendicular", "X", values::direction).one_of()};
+constexpr std::array<std::string_view, 1> other_curves{"circle"};
+constexpr Form line_curve{lang::common::a_line, line_curve_rows, {}, other_curves};
+constexpr FormValue circle_value = values::object(circle_curve).named("circleCurve", "A circle."),
+                    line_value = values::object(line_curve).named("lineCurve", "A line through a point.");
+constexpr std::array curve_choices{circle_value, line_value};
+constexpr FormValue curve_value = values::any(curve_choices).named("curve", "A circle or a line.");
+
+constexpr std::array<std::string_view, 4> sides_of_meet{"left", "right", "behind", "ahead"};
+constexpr std::array meet_rows{
+    FormRow("meet", "[curve, curve]", values::list(curve_value, 2, 2), "The two curves.")
+        .needed(lang::points::two_curves),
+    FormRow("near", "[x, y]", values::coordinates, "Of two intersections, the nearer to this place.")
+        .called(lang::common::a_place)
+        .at_most_one(),
+    FormRow("side", "…", values::word(sides_of_meet),
+            "Of two intersections: of circles the one left or right of first centre → second; on a line the one behind "
+            "or ahead in the line's direction (left is behind, right ahead).")
+        .at_most_one()};
+constexpr Form meet_form{lang::points::a_meet, meet_rows, "The intersection of two curves."};
+
+constexpr std::array point_choices{values::coordinates, values::object(polar_point), values::object(point_on_line_form),
+                                   values::object(meet_form)};
+
+}  // namespace
+
+constinit const FormValue forms::point = values::any(point_choices).named("point", "How a point is placed.");
 
 void PointsSection::register_point(JsonValue member) {
     if (file_.add_point(member.key())) file_.check_name(member, member.key());
@@ -62,16 +115,12 @@ Placement PointsSection::placement(JsonValue value) {
         file_.fault(value, {lang::points::a_curve_alone_is_no_point});
         return Coordinates{};
     }
-    const Members form = file_.members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"},
-                                       {lang::points::a_point});
-    if (form.has_or_misspells("meet") || form.has_or_misspells("to") || form.has_or_misspells("ratio"))
-        return Coordinates{};
+    const Members form = file_.members(value, polar_point);
+    if (form.is_of_another_form()) return Coordinates{};
     Polar polar;
-    polar.from = file_.point(file_.required(form, "from", {lang::points::the_point_from_which_the_distance}));
-    polar.distance = file_.quantity_or_zero(
-        file_.required(form, "distance", {lang::points::how_far_from_there_the_point}), QuantityKind::length);
-    polar.angle =
-        file_.angle(file_.required(form, "angle", {lang::points::in_which_direction_or_give})).value_or(Angle{});
+    polar.from = form.point("from");
+    polar.distance = form.quantity_or_default("distance");
+    polar.angle = form.angle("angle");
     if (const JsonValue base = form["relative to"]) {
         if (base.is_array() && base.size() == 2) {
             polar.relative_to = file_.between(base);
@@ -83,24 +132,23 @@ Placement PointsSection::placement(JsonValue value) {
 }
 
 Placement PointsSection::point_on_line(JsonValue value) {
-    const Members form = file_.members(value, {"from", "to", "distance", "ratio"}, {lang::points::a_point_on_a_line});
+    const Members form = file_.members(value, point_on_line_form);
     Along along;
-    along.from = file_.point(file_.required(form, "from", {lang::points::the_point_from_which_the_distance}));
-    along.to = file_.point(file_.required(form, "to", {lang::points::the_point_towards}));
+    along.from = form.point("from");
+    along.to = form.point("to");
     if (along.from != none && along.from == along.to)
         file_.fault(form["to"], {lang::points::a_point_and_itself_give_no});
-    if (const JsonValue amount = file_.one_of(form, {"distance", "ratio"})) {
+    if (const JsonValue amount = form.one_of()) {
         along.is_ratio = amount.key() == "ratio";
-        along.amount = along.is_ratio ? file_.bare_number(amount).value_or(Exact())
-                                      : file_.quantity_or_zero(amount, QuantityKind::length);
+        along.amount = along.is_ratio ? form.number("ratio").value_or(Exact()) : form.quantity_or_default("distance");
     }
     return along;
 }
 
 Placement PointsSection::meet(JsonValue value) {
-    const Members form = file_.members(value, {"meet", "near", "side"}, {lang::points::a_meet});
+    const Members form = file_.members(value, meet_form);
     Meet meet;
-    if (const JsonValue curves = file_.required(form, "meet", {lang::points::two_curves}); curves) {
+    if (const JsonValue curves = form.value("meet")) {
         if (curves.is_array() && curves.size() == 2) {
             meet.first = curve(*curves.begin());
             meet.second = curve(*++curves.begin());
@@ -108,8 +156,8 @@ Placement PointsSection::meet(JsonValue value) {
             file_.fault(curves, {lang::points::two_curves_are_wanted_here_not, described(curves)});
         }
     }
-    file_.one_of(form, {"near", "side"}, false);
-    meet.near = file_.vector(form["near"], QuantityKind::length, {lang::common::a_place});
+    form.one_of();
+    meet.near = form.vector("near");
     if (const JsonValue side = form["side"]) meet.side = side_of(side, meet);
     return meet;
 }
@@ -134,24 +182,20 @@ Meet::Side PointsSection::side_of(JsonValue value, const Meet& meet) {
 Curve PointsSection::curve(JsonValue value) {
     if (!file_.expect(value, Kind::object, {lang::points::a_curve_circle_or_line})) return CircleCurve{};
     if (value["circle"] || value["radius"]) {
-        const Members form = file_.members(value, {"circle", "radius"}, {lang::common::a_circle});
+        const Members form = file_.members(value, circle_curve);
         CircleCurve circle;
-        if (const JsonValue centre = file_.required(form, "circle", {lang::common::the_centre_of_the_circle}))
-            circle.centre = file_.place(centre);
-        circle.radius = file_.positive(file_.required(form, "radius", {lang::common::the_radius_of_the_circle}),
-                                       QuantityKind::length, {lang::common::a_radius});
+        circle.centre = form.place("circle");
+        circle.radius = form.quantity_or_default("radius");
         return circle;
     }
-    const Members form =
-        file_.members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, {lang::common::a_line});
+    const Members form = file_.members(value, line_curve);
     LineCurve line;
-    if (form.has_or_misspells("circle")) return line;
-    if (const JsonValue through = file_.required(form, "line", {lang::points::a_point_on_the_line}))
-        line.through = file_.place(through);
-    const JsonValue how = file_.one_of(form, {"angle", "to", "parallel", "perpendicular"});
+    if (form.is_of_another_form()) return line;
+    line.through = form.place("line");
+    const JsonValue how = form.one_of();
     if (!how) return line;
     if (how.key() == "angle") {
-        line.angle = file_.angle(how).value_or(Angle{});
+        line.angle = form.angle("angle");
     } else if (how.key() == "to") {
         line.by = LineCurve::By::to;
         line.to = file_.point(how);
@@ -160,7 +204,7 @@ Curve PointsSection::curve(JsonValue value) {
             file_.fault(how, {lang::points::a_point_and_itself_give_no});
     } else {
         line.by = how.key() == "parallel" ? LineCurve::By::parallel : LineCurve::By::perpendicular;
-        line.bearing = file_.bearing_or_default(how);
+        line.bearing = form.bearing_or_default(how.key());
     }
     return line;
 }

@@ -18,9 +18,8 @@ BodyIndex ProblemBodies::body(JsonValue member) {
 }
 
 std::array<JsonValue, 2> ProblemBodies::two(const Members& section) {
-    const Words wanted(lang::problems::an_object_of_two_bodies);
-    const JsonValue bodies = file_.required(section, "bodies", wanted);
-    if (!bodies || !file_.expect(bodies, Kind::object, wanted)) return {};
+    const JsonValue bodies = section.expected("bodies");
+    if (!bodies) return {};
     if (bodies.size() != 2) {
         file_.fault(bodies, {lang::problems::two_bodies_touch_are_given, std::to_string(bodies.size())});
         return {};

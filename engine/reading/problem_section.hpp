@@ -7,6 +7,7 @@
 
 #include "engine/mechanism/problem.hpp"
 #include "engine/reading/form_reader.hpp"
+#include "lang/keys/problems.hpp"
 
 namespace kinegraph {
 
@@ -16,14 +17,18 @@ class ProblemBodies {
 public:
     ProblemBodies(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism) {}
 
+    /// The row of "bodies" in the form of a problem; `body` is what each of them is.
+    static constexpr FormRow row(const FormValue& body) {
+        return FormRow("bodies", "{…}", values::map(body, 2, 2), "The two bodies by name.")
+            .needed(lang::problems::an_object_of_two_bodies)
+            .called(lang::problems::an_object_of_two_bodies);
+    }
     /// The two members of "bodies", or "not there".
     std::array<JsonValue, 2> two(const Members& section);
     /// The body of a member's name, added where the file has none.
     BodyIndex body(JsonValue member);
 
 private:
-    using Kind = FormReader::Kind;
-
     FormReader& file_;
     Mechanism& mechanism_;
 };

@@ -4,12 +4,29 @@
 #include <variant>
 
 namespace kinegraph {
+namespace {
+
+/// A body shows one of them; the reader has one form for all, the schema an object for each.
+constexpr std::array profile_rows{
+    FormRow("line", "X", values::direction, "A straight line through the contact.").one_of(),
+    FormRow("circle", "C", values::point_name, "The centre of a circle through the contact.").one_of(),
+    FormRow("tip", "true", values::json(R"("const": true)"), "A knife edge.").one_of()};
+constexpr std::array profile_choices{Form::Choice{{}, {"line"}}, Form::Choice{{}, {"circle"}},
+                                     Form::Choice{{}, {"tip"}}};
+constexpr Form profile_form{lang::joints::a_profile, profile_rows, {}, {}, profile_choices};
+constexpr FormValue profile_value = values::object(profile_form).named("profile", "What a body shows at the contact.");
+
+}  // namespace
+
+constinit const FormValue forms::profiles =
+    values::map(profile_value, 0, 2)
+        .named("profiles", "Body → what it shows at the contact; a body with a circle needs no entry.");
 
 void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
-    const JsonValue shape = file_.one_of(form, {"profiles", "tangent"}, false);
+    const JsonValue shape = form.one_of();
     if (form["profiles"] && form["tangent"]) return;
     if (shape && shape.key() == "tangent") {
-        joint.tangent = file_.bearing(shape);
+        joint.tangent = form.bearing("tangent");
         return;
     }
     if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
@@ -53,8 +70,8 @@ bool ProfilesOfContact::read_profile(JsonValue member, Joint& joint) {
         return false;
     }
     if (!file_.expect(member, Kind::object, {lang::joints::a_profile_line_circle_or_tip})) return false;
-    const Members form = file_.members(member, {"line", "circle", "tip"}, {lang::joints::a_profile});
-    const JsonValue shape = file_.one_of(form, {"line", "circle", "tip"});
+    const Members form = file_.members(member, profile_form);
+    const JsonValue shape = form.one_of();
     if (!shape) return false;
     if (shape.key() == "line") {
         const auto along = file_.bearing(shape);

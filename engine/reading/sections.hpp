@@ -35,7 +35,6 @@ private:
     using Kind = FormReader::Kind;
 
     Body& body_at(BodyIndex index) { return mechanism_.bodies[at_index(index)]; }
-    void read_body_circle(JsonValue value, BodyIndex index);
 
     FormReader& file_;
     Mechanism& mechanism_;
@@ -55,7 +54,8 @@ private:
     using Kind = FormReader::Kind;
 
     /// The named points move with the body, whether listed there or not.
-    std::vector<GivenMotion> given_motions(BodyIndex on, JsonValue value, QuantityKind kind);
+    std::vector<GivenMotion> given_motions(BodyIndex on, const Members& motion, std::string_view key,
+                                           QuantityKind kind);
 
     FormReader& file_;
     Mechanism& mechanism_;
@@ -93,8 +93,8 @@ class UnitsSection {
 public:
     UnitsSection(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism) {}
 
-    void read_units(JsonValue units);
-    void read_scales(JsonValue value);
+    void read_units(const Members& file);
+    void read_scales(const Members& file);
 
 private:
     using Kind = FormReader::Kind;
@@ -121,7 +121,6 @@ private:
 
     /// Whether the motion is found through the observer. A translating observer gives no direction of a relative
     /// velocity.
-    void read_solve(JsonValue value, RelativeMotionQuery& query);
     static bool is_cut(JsonValue value);
     void read_cut(JsonValue value, const TrussStructure& truss);
 
@@ -174,8 +173,6 @@ private:
     void add_sliding_name(JsonValue value, const Joint& joint, std::string_view written);
     /// Reports a missing or misspelt kind.
     void miss_kind(JsonValue value);
-    /// The permitted keys of a joint of this kind: of its kind, of its bodies, of its own.
-    static std::vector<std::string_view> keys_of(const PlanePair& pair);
     void read_joint_bodies(const Members& form, Joint& joint);
     void read_slot(const Members& form, Joint& joint);
     void check_pressure_angle(JsonValue value, const Angle& angle);
@@ -238,7 +235,6 @@ private:
         std::string text{};
         JsonValue at{};
     };
-    Named effort_name(JsonValue given, const Words& wanted);
     Named read_couple_effort(JsonValue value);
     Named read_actuator(JsonValue value);
     Named read_force_effort(JsonValue value);
@@ -256,14 +252,14 @@ public:
     LoadsSection(FormReader& file, Mechanism& mechanism, JointsSection& joints)
         : file_(file), mechanism_(mechanism), joints_(joints) {}
 
-    void read_masses(JsonValue masses);
+    void read_masses(const Members& file);
     void read_load(JsonValue value);
 
 private:
     using Kind = FormReader::Kind;
 
     /// Results and figures are named by it.
-    std::string name_of_load(JsonValue value, const Words& wanted);
+    std::string name_of_load(const Members& form, std::string_view key);
     void read_force(JsonValue value);
     /// On the pin of a hinge, which then is a node of its own.
     void read_pin_load(JsonValue value);

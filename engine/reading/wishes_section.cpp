@@ -23,11 +23,31 @@ void add_once(std::vector<RelativeMotionQuery>& all, RelativeMotionQuery query) 
         same->solves = same->solves || query.solves;
 }
 
+constexpr std::array<std::string_view, 7> wishes{"instant centres", "velocity",  "acceleration", "forces",
+                                                 "curvature",       "equations", "virtual work"};
+
+constexpr std::array translating_rows{
+    FormRow("translating with", "Q", values::point_name).needed(lang::wishes::the_point_that_carries_the_observer)};
+constexpr Form translating_observer{lang::wishes::an_observer, translating_rows};
+constexpr std::array observer_choices{values::body_name, values::object(translating_observer)};
+constexpr std::array relative_motion_rows{
+    FormRow("relative motion", "P", values::point_name).needed(lang::wishes::the_point_whose_motion_is_observed),
+    FormRow("observer", "i", values::any(observer_choices),
+            "A body that carries the observer, or a point with which the observer translates.")
+        .needed(lang::wishes::the_body_that_carries_the_observer),
+    FormRow("solve", "true", values::flag,
+            "Whether the motion itself is to be found through this observer, on a body.")};
+constexpr Form relative_motion_form{lang::wishes::a_wish, relative_motion_rows};
+constexpr std::array cut_rows{leading_key("cut", "[bar, bar, bar]", values::list(values::text, 3, 3),
+                                          "Three bars of a truss, each named by its pins, that part it (Ritter).")};
+constexpr Form cut_form{lang::wishes::a_cut, cut_rows};
+constexpr std::array wish_choices{values::word(wishes), values::object(relative_motion_form), values::object(cut_form)};
+
 }  // namespace
 
+constinit const FormValue forms::wish = values::any(wish_choices).named("wish", {});
+
 void WishesSection::read_wish(JsonValue value) {
-    constexpr std::array<std::string_view, 7> wishes{"instant centres", "velocity",  "acceleration", "forces",
-                                                     "curvature",       "equations", "virtual work"};
     Find& find = mechanism_.find;
     const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity,  &find.acceleration,
                                                  &find.forces,          &find.curvature, &find.equations,
@@ -45,27 +65,25 @@ void WishesSection::read_wish(JsonValue value) {
     }
     if (!file_.expect(value, Kind::object, {lang::wishes::a_wish_as_velocity_or_relative})) return;
     if (is_cut(value)) {
-        file_.members(value, {"cut"}, {lang::wishes::a_cut});
+        file_.members(value, cut_form);
         for (const JsonValue member : value)
             if (member.key() == "cut" && file_.expect(member, Kind::array, {lang::wishes::an_array_of_three_bars}))
                 cuts_.push_back(member);
         find.forces = true;
         return;
     }
-    const Members form = file_.members(value, {"relative motion", "observer", "solve"}, {lang::wishes::a_wish});
+    const Members form = file_.members(value, relative_motion_form);
     RelativeMotionQuery query;
     query.where = value.pointer();
-    query.point =
-        file_.point(file_.required(form, "relative motion", {lang::wishes::the_point_whose_motion_is_observed}));
-    const JsonValue observer = file_.required(form, "observer", {lang::wishes::the_body_that_carries_the_observer});
-    if (observer && observer.is_object()) {
-        const Members translating = file_.members(observer, {"translating with"}, {lang::wishes::an_observer});
-        query.translating_with = file_.point(
-            file_.required(translating, "translating with", {lang::wishes::the_point_that_carries_the_observer}));
-    } else {
+    query.point = form.point("relative motion");
+    const JsonValue observer = form.value("observer");
+    if (observer && observer.is_object())
+        query.translating_with = file_.members(observer, translating_observer).point("translating with");
+    else
         query.observer = file_.body(observer);
-    }
-    read_solve(form["solve"], query);
+    query.solves = form.flag("solve");
+    if (query.solves && query.translating_with != none)
+        file_.fault(form["solve"], {lang::wishes::the_motion_is_solved_through});
     add_once(find.relative_motion, std::move(query));
 }
 
@@ -78,13 +96,6 @@ void WishesSection::read_cuts() {
         else
             file_.fault(cut, {lang::wishes::only_a_truss_can_be_cut});
     }
-}
-
-void WishesSection::read_solve(JsonValue value, RelativeMotionQuery& query) {
-    if (!value || !file_.expect(value, Kind::boolean, {lang::common::true_or_false})) return;
-    query.solves = is_true(value);
-    if (query.solves && query.translating_with != none)
-        file_.fault(value, {lang::wishes::the_motion_is_solved_through});
 }
 
 bool WishesSection::is_cut(JsonValue value) {

@@ -15,9 +15,11 @@
 namespace kinegraph {
 
 class FormReader;
+struct FormValue;
 
 struct ProblemKind {
-    std::string_view key;  ///< of its section in a file, and of its results in the results file
+    std::string_view key;                ///< of its section in a file, and of its results in the results file
+    const FormValue* section = nullptr;  ///< what stands at the key
 
     /// Whether the value at the key states this problem; null: every value does. The section may be absent.
     bool (*is_stated_by)(JsonValue section) = nullptr;

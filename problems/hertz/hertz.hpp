@@ -119,6 +119,7 @@ Datum datum_of(const HertzProblem& problem, std::size_t body);
 // ----- the kind of problem
 
 std::any read_hertz(FormReader& file, Mechanism& mechanism, JsonValue section);
+extern const FormValue hertz_section;
 extern const ProblemKind hertz_problem;
 
 }  // namespace kinegraph

@@ -17,6 +17,32 @@ namespace {
 
 constexpr std::string_view flat_word = "flat";
 
+constexpr std::array hertz_body_rows{FormRow("radius", "r", values::length).one_of(),
+                                     FormRow("radii", "[r1, r2]", values::list(values::number_or_text, 2, 2),
+                                             "Two principal radii, each a length or \"flat\".")
+                                         .one_of(),
+                                     FormRow("flat", "true", values::json(R"("enum": [true])"), "A plane.").one_of(),
+                                     FormRow("inside", "true", values::json(R"("anyOf": [{"type": "boolean"},
+                {"type": "array", "items": {"type": "boolean"}, "minItems": 2, "maxItems": 2}])"),
+                                             "Concave; of radii an array of two."),
+                                     Materials::name_row,
+                                     Materials::young_row,
+                                     Materials::poisson_row,
+                                     Materials::depth_row,
+                                     FormRow("label", "\"…\"", values::texts)};
+constexpr Form hertz_body_form{lang::hertz::a_body, hertz_body_rows};
+constexpr FormValue hertz_body =
+    values::object(hertz_body_form)
+        .named("hertzBody", "One of two elastic bodies: its shape at the contact and its material.");
+constexpr std::array<std::string_view, 2> kinds_of_hertz_contact{"point", "line"};
+constexpr std::array hertz_rows{
+    FormRow("force", "F", values::force)
+        .needed(lang::hertz::the_force_that_presses_the_bodies)
+        .positive(lang::common::the_force),
+    ProblemBodies::row(hertz_body), FormRow("contact", "…", values::word(kinds_of_hertz_contact), "Default: point."),
+    FormRow("length", "l", values::length).positive(lang::common::the_length), FormRow("turned", "a", values::angle)};
+constexpr Form hertz_form{lang::hertz::hertz, hertz_rows};
+
 /// "hertz": two bodies pressed together, with radii and materials. Curvatures without contact are reported here,
 /// since the problem needs no drawing.
 class HertzSection {
@@ -42,23 +68,21 @@ private:
 
 std::optional<HertzProblem> HertzSection::read(JsonValue section) {
     const std::size_t before = file_.fault_count();
-    const Members form =
-        file_.members(section, {"force", "bodies", "contact", "length", "turned"}, {lang::hertz::hertz});
+    const Members form = file_.members(section, hertz_form);
     HertzProblem problem;
-    problem.force = file_.positive(file_.required(form, "force", {lang::hertz::the_force_that_presses_the_bodies}),
-                                   QuantityKind::force, {lang::common::the_force});
+    problem.force = form.quantity_or_default("force");
     if (const JsonValue contact = form["contact"]) {
         problem.line = contact.text() == "line";
         if (!contact.is_string() || (contact.text() != "line" && contact.text() != "point"))
             file_.wrong(contact, {lang::hertz::point_or_line});
     }
     if (problem.line) {
-        problem.length = file_.positive(file_.required(form, "length", {lang::common::the_length_of_contact}),
-                                        QuantityKind::length, {lang::common::the_length});
+        file_.required(form, "length", {lang::common::the_length_of_contact});
+        problem.length = form.quantity_or_default("length");
         if (form["turned"]) file_.fault(form["turned"], {lang::hertz::bodies_that_touch_along_a_line});
     } else {
         if (form["length"]) file_.fault(form["length"], {lang::hertz::a_contact_at_a_point});
-        if (form["turned"]) problem.turn = file_.quantity_or_zero(form["turned"], QuantityKind::angle);
+        problem.turn = form.quantity_or_default("turned");
     }
     const auto bodies = bodies_.two(form);
     if (!bodies[0]) return std::nullopt;
@@ -72,15 +96,13 @@ HertzBody HertzSection::read_body(JsonValue member, bool line) {
     body.body = bodies_.body(member);
     body.where = member.pointer();
     if (!file_.expect(member, Kind::object, {lang::common::an_object})) return body;
-    const Members form =
-        file_.members(member, {"radius", "radii", "flat", "inside", "material", "young", "poisson", "depth", "label"},
-                      {lang::hertz::a_body});
+    const Members form = file_.members(member, hertz_body_form);
     if (form["label"]) mechanism_.bodies[at_index(body.body)].label = file_.words(form["label"]);
     read_shape(form, line, body);
     materials_.read(form, body);
     if (const JsonValue depth = form["depth"]) {
         if (line && (body.radii[0].is_zero() || body.inside[0]))
-            body.depth = file_.positive(depth, QuantityKind::length, {lang::common::the_depth});
+            body.depth = form.quantity_or_default("depth");
         else
             file_.fault(depth, {lang::hertz::only_a_flat_or_concave_body});
     }
@@ -88,7 +110,7 @@ HertzBody HertzSection::read_body(JsonValue member, bool line) {
 }
 
 void HertzSection::read_shape(const Members& form, bool line, HertzBody& body) {
-    const JsonValue shape = file_.one_of(form, {"radius", "radii", "flat"});
+    const JsonValue shape = form.one_of();
     if (!shape) return;
     if (shape.key() == "flat") {
         if (!file_.expect(shape, Kind::boolean, {lang::hertz::true_word})) return;
@@ -97,8 +119,7 @@ void HertzSection::read_shape(const Members& form, bool line, HertzBody& body) {
     } else if (shape.key() == "radius") {
         read_radius(shape, 0, body);
         body.radii[1] = body.radii[0];
-        if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {lang::common::true_or_false}))
-            body.inside = {is_true(form["inside"]), is_true(form["inside"])};
+        body.inside.fill(form.flag("inside"));
     } else {
         const Words wanted(lang::hertz::two_principal_radii_r1_r2_each);
         if (line) file_.fault(shape, {lang::hertz::at_a_line_of_contact});
@@ -153,6 +174,9 @@ void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodie
 }
 
 }  // namespace
+
+constinit const FormValue hertz_section =
+    values::object(hertz_form).named({}, "Two elastic bodies pressed together (Hertz), in place of joints.");
 
 std::any read_hertz(FormReader& file, Mechanism& mechanism, JsonValue section) {
     if (!file.expect(section, JsonValue::Kind::object, {lang::common::an_object})) return {};

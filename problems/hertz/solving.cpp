@@ -250,6 +250,7 @@ Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProb
 
 const ProblemKind hertz_problem{
     .key = "hertz",
+    .section = &hertz_section,
     .read = read_hertz,
     .solve = [](const Problem& problem, const Mechanism&,
                 const Pose&) { return solve_hertz(problem.as<HertzProblem>()); },

@@ -36,6 +36,7 @@ Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism& mech
 
 }  // namespace
 
-const ProblemKind impact_problem{.key = "impact", .read = read_impact, .solve = solve_this, .results = impact_results};
+const ProblemKind impact_problem{
+    .key = "impact", .section = &impact_section, .read = read_impact, .solve = solve_this, .results = impact_results};
 
 }  // namespace kinegraph

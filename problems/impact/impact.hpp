@@ -105,6 +105,7 @@ ImpactCheck check_impact(const ImpactProblem& problem, const Vector& at, const V
 // ----- the kind of problem
 
 std::any read_impact(FormReader& file, Mechanism& mechanism, JsonValue section);
+extern const FormValue impact_section;
 extern const ProblemKind impact_problem;
 
 }  // namespace kinegraph

@@ -58,6 +58,7 @@ Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism& mech
 }  // namespace
 
 const ProblemKind point_problem{.key = "motion",
+                                .section = &point_motion_section,
                                 .is_stated_by = is_point_motion,
                                 .read = read_point_motion,
                                 .solve = solve_this,

@@ -112,6 +112,7 @@ PointCheck check_point_motion(const PointProblem& problem);
 /// Whether a "motion" is that of a point, not of a body.
 bool is_point_motion(JsonValue motion);
 std::any read_point_motion(FormReader& file, Mechanism& mechanism, JsonValue section);
+extern const FormValue point_motion_section;
 extern const ProblemKind point_problem;
 
 }  // namespace kinegraph

@@ -22,6 +22,40 @@ namespace {
 
 constexpr std::array<std::string_view, 6> law_keys{"x", "y", "r", "theta", "path", "s"};
 
+constexpr FormRow law_row(std::string_view key) { return FormRow(key, "…", values::expression); }
+constexpr FormRow pair_of_lengths(std::string_view key) {
+    return FormRow(key, "[x, y]", values::list(values::length, 2, 2)).called(lang::common::a_place);
+}
+constexpr std::array path_circle_rows{pair_of_lengths("centre"), values::radius};
+constexpr Form path_circle{lang::common::a_circle, path_circle_rows};
+constexpr std::array path_line_rows{
+    pair_of_lengths("from"),
+    FormRow("along", "…", values::json(R"("type": ["number", "string", "array"])"), "An angle or [dx, dy].")
+        .needed(lang::point_motion::its_direction_an_angle_or_dx)};
+constexpr Form path_line{lang::common::a_line, path_line_rows};
+constexpr std::array path_rows{
+    law_row("y").one_of(),
+    FormRow("circle", "{…}", values::object(path_circle)).one_of().called(lang::point_motion::centre_x_y_radius),
+    FormRow("line", "{…}", values::object(path_line)).one_of().called(lang::point_motion::from_x_y_along_x),
+    FormRow("start", "…", values::number_or_text, "Where s = 0: x of a curve, an angle of a circle. Default: 0.")};
+constexpr Form path_form{lang::point_motion::a_path, path_rows, "What the point moves along; s is its law."};
+constexpr std::array point_motion_rows{
+    FormRow("point", "P", values::some_text, "The point's name. Default: P.")
+        .called(lang::point_motion::the_point_name),
+    law_row("x").one_of(),
+    law_row("y"),
+    law_row("r").one_of(),
+    law_row("theta"),
+    FormRow("path", "{…}", values::object(path_form)).one_of().called(lang::point_motion::y_circle_or_line),
+    law_row("s"),
+    FormRow("at", "t", values::time, "The instant.").needed(lang::point_motion::the_instant_that_is_looked),
+    FormRow("from", "t", values::time, "Where the interval begins. Default: 0 s."),
+    FormRow("to", "t", values::time, "Where the interval ends.").needed(lang::point_motion::the_time_up),
+    FormRow("constants", "{…}", values::map(values::number_or_text), "Name → number, quantity or formula.")
+        .called(lang::laws::an_object_of_constants_by_name)};
+constexpr Form point_motion_form{lang::point_motion::the_motion_of_a_point, point_motion_rows,
+                                 "The motion of a point by its laws in time, instead of all else."};
+
 const Words& an_expression() {
     static const Words wanted(lang::point_motion::an_expression_in_t_as_v0);
     return wanted;
@@ -64,33 +98,28 @@ class LawConstants {
 public:
     explicit LawConstants(FormReader& file) : file_(file) {}
 
-    void read(JsonValue constants);
+    void read(JsonValue member);
     /// A constant or a parameter of the file; an error without words has already been reported. `variable`: what else
     /// an expression may name, for the remedy.
     tl::expected<Measured, Words> look_up(std::string_view name, std::string_view variable);
 
 private:
-    using Kind = FormReader::Kind;
-
     std::optional<Measured> read_one(JsonValue member);
 
     FormReader& file_;
     std::vector<std::pair<std::string_view, std::optional<Measured>>> constants_;  ///< none: faulty
 };
 
-void LawConstants::read(JsonValue constants) {
-    if (!constants || !file_.expect(constants, Kind::object, {lang::laws::an_object_of_constants_by_name})) return;
-    for (const JsonValue member : constants) {
-        std::optional<Measured> value;
-        if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" ||
-            elementary_called(member.key()))
-            file_.fault(member, {lang::laws::can_be_no_constant_name, quoted(member.key())});
-        else if (file_.has_parameter(member.key()))
-            file_.fault(member, {lang::laws::is_a_parameter_already_rename, quoted(member.key())});
-        else
-            value = read_one(member);
-        constants_.emplace_back(member.key(), std::move(value));
-    }
+void LawConstants::read(JsonValue member) {
+    std::optional<Measured> value;
+    if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" ||
+        elementary_called(member.key()))
+        file_.fault(member, {lang::laws::can_be_no_constant_name, quoted(member.key())});
+    else if (file_.has_parameter(member.key()))
+        file_.fault(member, {lang::laws::is_a_parameter_already_rename, quoted(member.key())});
+    else
+        value = read_one(member);
+    constants_.emplace_back(member.key(), std::move(value));
 }
 
 std::optional<Measured> LawConstants::read_one(JsonValue member) {
@@ -137,12 +166,10 @@ public:
     std::optional<PointProblem> read(JsonValue section);
 
 private:
-    using Kind = FormReader::Kind;
-
     void read_laws(const Members& form, PointProblem& problem);
     StatedLaw read_law(JsonValue value, const std::string& symbol, QuantityKind of, QuantityKind is,
                        NamedConstants& constants);
-    void read_path(JsonValue value, PointProblem& problem);
+    void read_path(const Members& form, PointProblem& problem);
     /// An angle or a vector: these problems have no points to define a direction.
     Vector own_direction(JsonValue value);
     void read_times(const Members& form, PointProblem& problem);
@@ -152,21 +179,18 @@ private:
 };
 
 std::optional<PointProblem> PointMotionSection::read(JsonValue section) {
-    const Members form =
-        file_.members(section, {"point", "x", "y", "r", "theta", "path", "s", "at", "from", "to", "constants"},
-                      {lang::point_motion::the_motion_of_a_point});
+    const Members form = file_.members(section, point_motion_form);
     PointProblem problem;
     problem.where = section.pointer();
-    problem.point = "P";
-    if (form["point"]) problem.point = file_.new_name(form["point"], {lang::point_motion::the_point_name});
-    constants_.read(form["constants"]);
+    problem.point = form["point"] ? form.name("point") : "P";
+    form.each("constants", [&](JsonValue member) { constants_.read(member); });
     read_laws(form, problem);
     read_times(form, problem);
     return problem;
 }
 
 void PointMotionSection::read_laws(const Members& form, PointProblem& problem) {
-    const JsonValue leading = file_.one_of(form, {"x", "r", "path"});
+    const JsonValue leading = form.one_of();
     if (!leading) return;
     const auto alone = [&](std::initializer_list<std::string_view> others) {
         for (const std::string_view key : others)
@@ -187,7 +211,7 @@ void PointMotionSection::read_laws(const Members& form, PointProblem& problem) {
     } else {
         problem.form = PointProblem::Form::path;
         alone({"y", "theta"});
-        read_path(leading, problem);
+        if (const Members path = form.form("path")) read_path(path, problem);
         law(file_.required(form, "s", {lang::point_motion::the_way_along_the_path}), "s", QuantityKind::length);
     }
 }
@@ -215,10 +239,8 @@ StatedLaw PointMotionSection::read_law(JsonValue value, const std::string& symbo
     return law;
 }
 
-void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
-    if (!file_.expect(value, Kind::object, {lang::point_motion::y_circle_or_line})) return;
-    const Members form = file_.members(value, {"y", "circle", "line", "start"}, {lang::point_motion::a_path});
-    const JsonValue kind = file_.one_of(form, {"y", "circle", "line"});
+void PointMotionSection::read_path(const Members& form, PointProblem& problem) {
+    const JsonValue kind = form.one_of();
     if (!kind) return;
     const JsonValue start = form["start"];
     if (kind.key() == "y") {
@@ -229,20 +251,18 @@ void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
     } else if (kind.key() == "circle") {
         CirclePath path;
         if (start) path.start = file_.quantity_or_zero(start, QuantityKind::angle);
-        if (!file_.expect(kind, Kind::object, {lang::point_motion::centre_x_y_radius})) return;
-        const Members circle = file_.members(kind, {"centre", "radius"}, {lang::common::a_circle});
-        path.centre = file_.vector(circle["centre"], QuantityKind::length, {lang::common::a_place}).value_or(Vector{});
-        path.radius = file_.positive(file_.required(circle, "radius", {lang::common::the_radius_of_the_circle}),
-                                     QuantityKind::length, {lang::common::a_radius});
+        const Members circle = form.form("circle");
+        if (!circle) return;
+        path.centre = circle.vector("centre").value_or(Vector{});
+        path.radius = circle.quantity_or_default("radius");
         problem.path = path;
     } else {
         if (start) file_.fault(start, {lang::point_motion::a_line_starts});
-        if (!file_.expect(kind, Kind::object, {lang::point_motion::from_x_y_along_x})) return;
-        const Members line = file_.members(kind, {"from", "along"}, {lang::common::a_line});
+        const Members line = form.form("line");
+        if (!line) return;
         LinePath path;
-        path.from = file_.vector(line["from"], QuantityKind::length, {lang::common::a_place}).value_or(Vector{});
-        path.direction =
-            own_direction(file_.required(line, "along", {lang::point_motion::its_direction_an_angle_or_dx}));
+        path.from = line.vector("from").value_or(Vector{});
+        path.direction = own_direction(line.value("along"));
         problem.path = path;
     }
 }
@@ -254,11 +274,10 @@ Vector PointMotionSection::own_direction(JsonValue value) {
 }
 
 void PointMotionSection::read_times(const Members& form, PointProblem& problem) {
-    const JsonValue at = file_.required(form, "at", {lang::point_motion::the_instant_that_is_looked});
-    const JsonValue to = file_.required(form, "to", {lang::point_motion::the_time_up});
-    problem.at = file_.quantity_or_zero(at, QuantityKind::time);
-    problem.from = form["from"] ? file_.quantity_or_zero(form["from"], QuantityKind::time) : Exact();
-    problem.to = file_.quantity_or_zero(to, QuantityKind::time);
+    problem.at = form.quantity_or_default("at");
+    problem.from = form.quantity_or_default("from");
+    problem.to = form.quantity_or_default("to");
+    const JsonValue at = form["at"], to = form["to"];
     if (!at || !to) return;
     problem.where_at = at.pointer();
     problem.where_from = form["from"] ? form["from"].pointer() : to.pointer();
@@ -271,6 +290,8 @@ void PointMotionSection::read_times(const Members& form, PointProblem& problem) 
 }
 
 }  // namespace
+
+constinit const FormValue point_motion_section = values::object(point_motion_form);
 
 bool is_point_motion(JsonValue motion) {
     if (!motion || !motion.is_object() || motion["body"] || motion["velocities"]) return false;

@@ -44,6 +44,7 @@ Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism& mech
 
 const ProblemKind positions_problem{
     .key = "positions",
+    .section = &positions_section,
     .read = read_positions,
     .solve = solve_this,
     .results = positions_results,

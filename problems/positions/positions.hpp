@@ -82,6 +82,7 @@ std::pair<VectorOf<double>, double> check_pivot(const PositionsProblem& problem,
 // ----- the kind of problem
 
 std::any read_positions(FormReader& file, Mechanism& mechanism, JsonValue section);
+extern const FormValue positions_section;
 extern const ProblemKind positions_problem;
 
 }  // namespace kinegraph

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "engine/drawing/pose.hpp"
@@ -27,6 +29,10 @@ Words length_words(double si, const KnownUnit& unit) {
                          .ptr;
     return decimal_words(std::string(text.data(), end) + " " + std::string(unit.symbol));
 }
+
+/// The keys of a position are the names of the two points, or "turned".
+constexpr std::array place_or_angle{values::list(values::length, 2, 2), values::angle};
+constexpr FormValue place_or_turn = values::any(place_or_angle), one_position = values::map(place_or_turn, 2, 2);
 
 /// "positions": two or three positions of a body, by the places of two of its points.
 class PositionsSection {
@@ -76,10 +82,9 @@ std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
 
 void PositionsSection::read_position(JsonValue value, PositionsProblem& problem) {
     const bool first = problem.positions.empty();
+    const std::array<std::string_view, 3> keys{problem.points[0], problem.points[1], "turned"};
     const Members form =
-        first ? file_.members(value, {problem.points[0], problem.points[1]}, {lang::finite_positions::a_position})
-              : file_.members(value, {problem.points[0], problem.points[1], "turned"},
-                              {lang::finite_positions::a_position});
+        file_.members(value, std::span(keys).first(first ? 2 : 3), {lang::finite_positions::a_position});
     PositionsProblem::Position position;
     position.where = value.pointer();
     const Words place(lang::common::a_place);
@@ -127,6 +132,12 @@ void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& probl
 }
 
 }  // namespace
+
+constinit const FormValue positions_section =
+    values::list(one_position, 2, 3)
+        .named({},
+               "Two or three positions of a body by the places of two of its points; further ones also by the first "
+               "point and \"turned\".");
 
 std::any read_positions(FormReader& file, Mechanism&, JsonValue section) {
     if (!file.expect(section, JsonValue::Kind::array, {lang::problems::an_array_of_positions})) return {};

@@ -22,6 +22,7 @@ Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism&, con
 
 }  // namespace
 
-const ProblemKind reye_problem{.key = "reye", .read = read_reye, .solve = solve_this, .results = reye_results};
+const ProblemKind reye_problem{
+    .key = "reye", .section = &reye_section, .read = read_reye, .solve = solve_this, .results = reye_results};
 
 }  // namespace kinegraph

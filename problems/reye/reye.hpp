@@ -89,6 +89,7 @@ ReyeCheck check_reye(const ReyeProblem& problem);
 // ----- the kind of problem
 
 std::any read_reye(FormReader& file, Mechanism& mechanism, JsonValue section);
+extern const FormValue reye_section;
 extern const ProblemKind reye_problem;
 
 }  // namespace kinegraph

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <kinegraph/mechanism.hpp>
+
 #include <nlohmann/json.hpp>
 
 namespace cli_test {
@@ -195,6 +197,13 @@ TEST_F(CommandLine, SpeaksOneLanguage) {
         EXPECT_TRUE(lines_are(outcome.err, row.said)) << row.arguments << '\n' << outcome.err;
     }
     EXPECT_EQ(run("check four_bar.json --lang it").out, "four_bar.json: in ordine (4 corpi, 4 coppie, 1 movente)\n");
+}
+
+TEST_F(CommandLine, SchemaPrintsTheSchemaOfTheLibrary) {
+    const Outcome printed = run("schema --lang it");
+    EXPECT_EQ(printed.status, 0);
+    EXPECT_EQ(printed.out, kinegraph::mechanism_schema());
+    EXPECT_EQ(printed.err, "");
 }
 
 TEST_F(CommandLine, PairsPrintsTheCatalogueOrAMechanismsPairs) {

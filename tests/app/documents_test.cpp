@@ -2,6 +2,8 @@
 // joints, exit statuses. A row that one side has and the other lacks is a failure.
 #include <gtest/gtest.h>
 
+#include <kinegraph/mechanism.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +18,7 @@
 
 #include "engine/file/units.hpp"
 #include "engine/mechanism/pair.hpp"
-#include "engine/reading/mechanism_schema.hpp"
+#include "engine/reading/forms.hpp"
 #include "tests/support/command_line.hpp"
 
 namespace kinegraph::documents_test {
@@ -105,7 +107,7 @@ TEST_F(Documents, ListTheUnitsThatAFileMayUse) {
 }
 
 TEST_F(Documents, ListTheKeysOfAFile) {
-    const auto schema = nlohmann::json::parse(mechanism_schema_text);
+    const auto schema = nlohmann::json::parse(mechanism_schema());
     std::set<std::string> known{"cam"};  // of a file for `kinegraph cam`, which is no mechanism
     for (const auto& each : schema.at("properties").items()) known.insert(each.key());
     std::set<std::string> written;
@@ -130,7 +132,7 @@ void collect_keys(const nlohmann::json& schema, std::set<std::string>& keys) {
 }
 TEST_F(Documents, NameEveryKeyOfTheSchema) {
     std::set<std::string> keys;
-    collect_keys(nlohmann::json::parse(mechanism_schema_text), keys);
+    collect_keys(nlohmann::json::parse(mechanism_schema()), keys);
     ASSERT_GT(keys.size(), 100u);
     std::string text;
     for (const char* name : {"file.md", "file_forces.md", "file_problems.md", "equations.md", "command_line.md"})
@@ -148,6 +150,115 @@ TEST_F(Documents, ListTheJoints) {
     }
     for (const PlanePair& each : plane_pairs) known.insert(std::string(each.key));
     EXPECT_EQ(written, known);
+}
+
+/// The keys of `{"from": P, "meet": [curve, curve]}` with the letters of their values.
+std::map<std::string, std::string> members_written(const std::string& form) {
+    std::map<std::string, std::string> members;
+    std::string text = form.substr(1, form.size() - 2);
+    while (!text.empty()) {
+        std::size_t end = 0;
+        for (int depth = 0; end < text.size() && (depth > 0 || text[end] != ','); ++end)
+            depth += text[end] == '[' || text[end] == '{' ? 1 : text[end] == ']' || text[end] == '}' ? -1 : 0;
+        const std::string member = text.substr(0, end);
+        const std::size_t quote = member.find("\": ");
+        if (quote != std::string::npos) members[member.substr(1, quote - 1)] = member.substr(quote + 3);
+        text.erase(0, end + 2);
+    }
+    return members;
+}
+
+/// An object as a table of the documents should write it.
+struct ObjectOfForm {
+    const Form* form;
+    std::set<std::string> needed, one_of;  ///< keys: all, exactly one
+
+    /// With the letter of the row's value, or one of its words.
+    bool has(const std::string& key, const std::string& letter) const {
+        const FormRow* row = form->row(key);
+        if (row == nullptr) return false;
+        return row->written == letter ||
+               std::any_of(row->value.words.begin(), row->value.words.end(),
+                           [&](std::string_view word) { return letter == '"' + std::string(word) + '"'; });
+    }
+    bool is_written_as(const std::string& code) const {
+        const auto members = members_written(code);
+        std::size_t alternatives = 0;
+        for (const auto& [key, letter] : members) {
+            if (!has(key, letter) || (!form->choices.empty() && !needed.contains(key))) return false;
+            alternatives += one_of.count(key);
+        }
+        if (code.ends_with(", …}")) return true;
+        return alternatives == (one_of.empty() ? 0 : 1) &&
+               std::all_of(needed.begin(), needed.end(), [&](const auto& key) { return members.contains(key); });
+    }
+};
+
+void collect_objects(const FormValue& value, std::vector<ObjectOfForm>& objects) {
+    for (const FormValue& choice : value.choices) collect_objects(choice, objects);
+    if (value.of != nullptr) collect_objects(*value.of, objects);
+    if (value.form == nullptr) return;
+    for (const Form::Choice& choice : value.form->choices) {
+        objects.push_back({value.form, {choice.keys.begin(), choice.keys.end()}, {}});
+        objects.back().needed.erase("");
+    }
+    if (!value.form->choices.empty()) return;
+    objects.push_back({value.form, {}, {}});
+    for (const FormRow& row : value.form->rows) {
+        if (row.need == FormRow::Need::required) objects.back().needed.emplace(row.key);
+        if (row.need == FormRow::Need::one_of) objects.back().one_of.emplace(row.key);
+    }
+}
+
+/// Each row of the table writes an object of the values, or one further key of it, and each object has a row.
+void expect_table_of(const std::vector<const FormValue*>& values, const char* name, const char* head) {
+    std::vector<ObjectOfForm> objects;
+    for (const FormValue* value : values) collect_objects(*value, objects);
+    ASSERT_FALSE(objects.empty());
+    std::set<const ObjectOfForm*> missing;
+    for (const ObjectOfForm& each : objects) missing.insert(&each);
+    for (const Cells& row : table_in(document(name), head)) {
+        const std::string code = codes_in(row.at(0)).at(0);
+        if (code.starts_with('[')) continue;  // coordinates
+        bool is_one = false;
+        for (const ObjectOfForm& each : objects) {
+            if (code.starts_with('{')) {
+                if (!each.is_written_as(code)) continue;
+                missing.erase(&each);
+            } else {
+                const auto [key, letter] = *members_written("{" + code + "}").begin();
+                if (!each.has(key, letter)) continue;
+            }
+            is_one = true;
+        }
+        EXPECT_TRUE(is_one) << code << " is no form that the reader knows";
+    }
+    for (const ObjectOfForm* each : missing)
+        ADD_FAILURE() << name << " lacks a form with " << each->form->rows.front().key;
+}
+TEST_F(Documents, WriteTheFormsThatTheReaderKnows) {
+    expect_table_of({&forms::point}, "file.md", "form | the point is |");
+    expect_table_of({&forms::joint}, "file.md", "form | pair |");
+    expect_table_of({&forms::driver}, "file.md", "form | gives |");
+    expect_table_of({&forms::turn_law, &forms::slide_law}, "file.md", "piece | the driver |");
+    expect_table_of({&forms::load}, "file_forces.md", "load | |");
+    expect_table_of({&forms::effort}, "file_forces.md", "effort | |");
+}
+
+/// The catalogue of pairs writes each joint with its keys.
+TEST_F(Documents, WriteTheFormsOfPairsWithTheKeysOfTheReader) {
+    std::vector<ObjectOfForm> objects;
+    collect_objects(forms::joint, objects);
+    ASSERT_EQ(objects.size(), plane_pairs.size());
+    for (const ObjectOfForm& each : objects) {
+        const auto pair = std::find_if(plane_pairs.begin(), plane_pairs.end(), [&](const PlanePair& candidate) {
+            return candidate.key == each.form->rows.front().key;
+        });
+        ASSERT_NE(pair, plane_pairs.end());
+        const auto members = members_written(std::string(pair->form));
+        for (const auto& member : members) EXPECT_NE(each.form->row(member.first), nullptr) << pair->form;
+        for (const std::string& key : each.needed) EXPECT_TRUE(members.contains(key)) << pair->form;
+    }
 }
 
 TEST_F(Documents, ListTheCommands) {

@@ -1,5 +1,7 @@
 #include "tests/support/schema_gate.hpp"
 
+#include <kinegraph/mechanism.hpp>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -10,7 +12,6 @@
 
 #include "engine/file/units.hpp"
 #include "engine/number/assert.hpp"
-#include "engine/reading/mechanism_schema.hpp"
 
 namespace kinegraph {
 namespace {
@@ -25,7 +26,7 @@ void strip(Json& part) {
         if (inner.is_structured()) strip(inner);
 }
 Json schema_document() {
-    Json document = Json::parse(mechanism_schema_text, nullptr, false);
+    Json document = Json::parse(mechanism_schema(), nullptr, false);
     KG_ASSERT(document.is_object(), "the built-in schema is JSON");
     strip(document);
     return document;
