@@ -1,5 +1,4 @@
 #include "engine/mechanism/pair.hpp"
-#include "lang/keys/joints.hpp"
 #include "lang/keys/sheet.hpp"
 
 namespace kinegraph {
@@ -11,11 +10,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::revolute,
         .key = "revolute",
-        .called = lang::joints::a_revolute,
         .texts = {lang::sheet::pair_revolute, lang::sheet::reaction_revolute, lang::sheet::fixed_revolute,
                   lang::sheet::centre_revolute, lang::sheet::found_revolute, lang::sheet::freedoms_revolute},
         .form = R"({"revolute": P, "bodies": [i, j]})",
-        .members = {},
         .meeting = Meeting::common_point,
         .holds_normal = true,
         .holds_tangent = true,
@@ -25,11 +22,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::prismatic,
         .key = "prismatic",
-        .called = lang::joints::a_prismatic_joint,
         .texts = {lang::sheet::pair_prismatic, lang::sheet::reaction_prismatic, lang::sheet::fixed_prismatic,
                   lang::sheet::centre_prismatic, lang::sheet::found_prismatic, lang::sheet::freedoms_prismatic},
         .form = R"({"prismatic": P, "bodies": [i, j], "along": X})",
-        .members = {"along"},
         .meeting = Meeting::guide,
         .holds_normal = true,
         .holds_tangent = false,
@@ -39,11 +34,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::pin_slot,
         .key = "pin-slot",
-        .called = lang::joints::a_pin_slot,
         .texts = {lang::sheet::pair_pin_slot, lang::sheet::reaction_pin_slot, lang::sheet::fixed_pin_slot,
                   lang::sheet::centre_pin_slot, lang::sheet::found_pin_slot, lang::sheet::freedoms_pin_slot},
         .form = R"({"pin-slot": P, "bodies": [i, j], "along": X})",
-        .members = {"along", "arc"},
         .meeting = Meeting::guide,
         .holds_normal = true,
         .holds_tangent = false,
@@ -53,11 +46,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::rolling,
         .key = "rolling",
-        .called = lang::joints::a_rolling_joint,
         .texts = {lang::sheet::pair_rolling, lang::sheet::reaction_rolling, lang::sheet::fixed_rolling,
                   lang::sheet::centre_rolling, lang::sheet::found_rolling, lang::sheet::freedoms_rolling},
         .form = R"({"rolling": P, "bodies": [i, j], "profiles": {…}})",
-        .members = {"profiles", "tangent"},
         .meeting = Meeting::profiles,
         .holds_normal = true,
         .holds_tangent = true,
@@ -67,11 +58,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::contact,
         .key = "contact",
-        .called = lang::joints::a_contact,
         .texts = {lang::sheet::pair_contact, lang::sheet::reaction_contact, lang::sheet::fixed_contact,
                   lang::sheet::centre_contact, lang::sheet::found_contact, lang::sheet::freedoms_contact},
         .form = R"({"contact": P, "bodies": [i, j], "profiles": {…}})",
-        .members = {"profiles", "tangent", "pushes"},
         .meeting = Meeting::profiles,
         .holds_normal = true,
         .holds_tangent = false,
@@ -81,11 +70,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::gear,
         .key = "gear",
-        .called = lang::joints::a_gear,
         .texts = {lang::sheet::pair_gear, lang::sheet::reaction_gear, lang::sheet::fixed_gear, lang::sheet::centre_gear,
                   lang::sheet::found_gear, lang::sheet::freedoms_gear},
         .form = R"({"gear": P, "bodies": [i, j], "profiles": {…}, "pressure angle": a})",
-        .members = {"profiles", "tangent", "pressure angle", "arm"},
         .meeting = Meeting::profiles,
         .holds_normal = false,
         .holds_tangent = true,
@@ -95,11 +82,9 @@ constexpr std::array rows{
     PlanePair{
         .kind = JointKind::weld,
         .key = "weld",
-        .called = lang::joints::a_weld,
         .texts = {lang::sheet::pair_weld, lang::sheet::reaction_weld, lang::sheet::fixed_weld, lang::sheet::centre_weld,
                   lang::sheet::found_weld},
         .form = R"({"weld": P, "bodies": [i, j]})",
-        .members = {},
         .meeting = Meeting::common_point,
         .holds_normal = true,
         .holds_tangent = true,

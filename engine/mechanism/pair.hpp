@@ -31,13 +31,11 @@ struct PlanePair {
 
     JointKind kind;
     std::string_view key;  ///< key in the file: "revolute" …
-    Key called;            ///< in messages about the file
     /// In tables and on the sheet of pairs; a weld, which leaves no freedom, has no text for it.
     struct Texts {
         Key name, reaction, fixed, centre, found, freedoms = {};
     } texts;
-    std::string_view form;                    ///< as the file writes it
-    std::array<std::string_view, 4> members;  ///< members that a file may give besides bodies and name
+    std::string_view form;  ///< as the file writes it
     Meeting meeting;
     bool holds_normal;   ///< no relative velocity at P across the guide or the common tangent …
     bool holds_tangent;  ///< … nor along it …
