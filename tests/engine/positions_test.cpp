@@ -98,9 +98,8 @@ TEST(Positions, FourBarsOfEveryKindTurnOrStopWhereTheyMust) {
 TEST(Positions, LimitsBesideAChangePointAreFound) {
     // Crank 3, follower 4, frame 2: with a coupler of 5 the crank passes a change point, with a longer one it stops
     // beside it on either side, where O4A is the difference of coupler and follower.
-    for (const std::string longer :
-         {"0.1", "0.001", "0.00001", "0.0000001", "0.00000001", "0.000000001", "0.0000000001", "0.00000000001",
-          "0.000000000001", "0.0000000000001"}) {
+    for (const std::string longer : {"0.1", "0.001", "0.00001", "0.0000001", "0.00000001", "0.000000001",
+                                     "0.0000000001", "0.00000000001", "0.000000000001", "0.0000000000001"}) {
         // 5.000…1 − 4 would lose the digits of what is longer.
         const double more = std::stod(longer);
         Mechanism mechanism = read(
