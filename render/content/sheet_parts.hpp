@@ -15,6 +15,7 @@ enum class SheetKind { solution, question, answers };
 
 constexpr double gap = 7;           ///< between cells and between columns
 constexpr double text_gap = 4;      ///< between figures and the text below
+constexpr double above_block = 4;   ///< kept free above the title block
 constexpr double caption_line = 7;  ///< height of a caption of one line
 
 /// A paper with its frame, content area, title block and text columns.

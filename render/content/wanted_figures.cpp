@@ -82,7 +82,7 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     add_displacements();
     add_small();
     // A brief solution prefers fewer pages to larger figures.
-    constexpr double smaller = 0.8;
+    constexpr double smaller = 0.5;
     if (detail_ == SolutionDetail::brief)
         for (Wanted& each : list) each.least *= smaller;
 }
@@ -274,7 +274,7 @@ Wanted& WantedFigures::add_force_polygons(const std::string& kind, const std::st
 /// All force polygons have one scale, so that the sides of the closed polygon can be copied with compasses. The largest
 /// polygon must be readable at it.
 void WantedFigures::keep_forces_readable() {
-    constexpr double least = 18;
+    constexpr double least = 25;
     if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
 }
 

@@ -17,6 +17,8 @@ namespace kinegraph::render {
 /// The mechanism with pair symbols, ground, body numbers and, if `with_centres`, instant centres and their lines.
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         const ScaleWish& wish = {});
+/// The number of dimensions in a figure of the mechanism.
+std::size_t dimensions_in(const Figure& figure);
 /// Its extent with the centres that are near enough to be shown, m.
 Box extent_of_mechanism(const Solution& solution, bool with_centres);
 /// The mechanism with ω (or α) of its bodies, each marked with the statement that determines it.

@@ -285,12 +285,6 @@ private:
         return text;
     }
 
-    static std::size_t dimensions_in(const Figure& figure) {
-        return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
-            const auto* group = std::get_if<GroupBegin>(&mark);
-            return group && group->cls == "dimension";
-        }));
-    }
     std::size_t accelerations_given() const {
         const auto is_given = [](const Driver& driver) {
             return std::visit(
@@ -471,6 +465,13 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 }
 
 }  // namespace
+
+std::size_t dimensions_in(const Figure& figure) {
+    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        return group && group->cls == "dimension";
+    }));
+}
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         const ScaleWish& wish) {

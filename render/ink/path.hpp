@@ -56,8 +56,9 @@ struct Path {
     bool stroked = false;
     Pen pen;
     StatementIndex statement = none;  ///< the statement of the solution that draws it; none: present from the beginning
-    bool tinted = false;  ///< filled with a body's tint or the paper colour: not ink, labels may stand on it
-    Holds holds{};        ///< what it moves with
+    bool tinted = false;       ///< filled with a body's tint or the paper colour: not ink, labels may stand on it
+    BodyIndex tint_of = none;  ///< the body whose tint it is; none: the paper's, or that of no body
+    Holds holds{};             ///< what it moves with
 };
 
 /// Round ends go with round corners. A dash round a sharp corner must not leave a spike, either.

@@ -43,6 +43,10 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
+    // What is larger than a page has that page; the first one has its title block.
+    const double most = format_.block.min.y - above_block - format_.content.min.y;
+    if (crowded)
+        for (FigureSize& size : sizes) size.y = std::min(size.y, most);
     if (wanted.spare) sizes.push_back({});
     return sizes;
 }
@@ -85,17 +89,23 @@ std::optional<double> MeasuredFigures::narrower(double width, double least) cons
     return widest;
 }
 
+/// The largest single polygon of forces; null if there is none.
+const Wanted* MeasuredFigures::largest_of_forces() const {
+    const Wanted* largest = nullptr;
+    for (const Wanted& each : wanted_.list)
+        if (each.to_force_scale && !each.is_row && (largest == nullptr || each.extent() > largest->extent()))
+            largest = &each;
+    return largest;
+}
+
 std::vector<double> MeasuredFigures::force_scales() const {
-    double largest = 0, enough = 0;
-    for (const Wanted& each : wanted_.list) {
-        if (!each.to_force_scale) continue;
-        if (each.asked) return {};
-        if (each.is_row) continue;
-        if (each.extent() > largest) largest = each.extent(), enough = each.enough;
-    }
+    for (const Wanted& each : wanted_.list)
+        if (each.to_force_scale && each.asked) return {};
+    const Wanted* largest = largest_of_forces();
     std::vector<double> scales;
-    if (!(largest > nothing)) return scales;
-    for (double scale = choose_scale(largest, 0, enough, 1, std::nullopt); scales.empty() || largest / scale >= 20;
+    if (largest == nullptr || largest->extent() < nothing) return scales;
+    for (double scale = choose_scale(largest->extent(), 0, largest->enough, 1, std::nullopt);
+         scales.empty() || largest->extent() / scale >= std::max(largest->least, hardly_readable);
          scale = next_scale(scale))
         scales.push_back(scale);
     return scales;
@@ -130,7 +140,9 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wan
 /// A row of polygons may also stand in several rows.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Wanted& wanted, double force_scale) const {
     double scale = force_scale;
-    if (wanted.may_be_larger && wanted.extent() / scale < readable_of_forces)
+    constexpr double small_part = 0.35;
+    if (wanted.may_be_larger && wanted.extent() / scale < readable_of_forces &&
+        wanted.extent() <= small_part * largest_of_forces()->extent())
         scale = choose_scale(wanted.extent(), 0, own_scale_of_forces, 1, std::nullopt);
     std::vector<Measure> all;
     for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)

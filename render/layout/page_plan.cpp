@@ -18,7 +18,6 @@ constexpr int gap_steps = 2;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
 constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
-constexpr double above_block = 4;
 
 /// All ways to divide `of` columns among `bands` bands, each with at least one.
 void shares(int of, std::size_t bands, std::vector<int>& now, std::vector<std::vector<int>>& all) {

@@ -218,8 +218,8 @@ BalloonGround ground_of(const Sketch& sketch, BodyIndex body) {
     const Theme& theme = sketch.theme;
     const Colour own = theme.body(body).tint;
     for (const BodyIndex other : sketch.mechanism.moving_bodies())
-        if (other != body && theme.body(other).tint == own) return {theme.paper, std::nullopt};
-    return {theme.paper, own};
+        if (other != body && theme.body(other).tint == own) return {theme.paper, std::nullopt, body};
+    return {theme.paper, own, body};
 }
 
 }  // namespace

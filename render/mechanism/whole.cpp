@@ -58,6 +58,12 @@ void draw_outline(Sketch& sketch, const Shape& shape, const std::vector<Path>& h
 
 }  // namespace
 
+/// Says of the marks from `first` on whose tints they are.
+void own_tints(std::vector<Mark>& marks, std::size_t first, BodyIndex body) {
+    for (std::size_t i = first; i < marks.size(); ++i)
+        if (auto* path = std::get_if<Path>(&marks[i]); path != nullptr && path->tinted) path->tint_of = body;
+}
+
 void draw_in_colour(Sketch& sketch) {
     draw_frame(sketch);
     for (const Load& load : sketch.mechanism.loads) {
@@ -69,7 +75,10 @@ void draw_in_colour(Sketch& sketch) {
     std::vector<BodyIndex> below;
     for (const BodyIndex body : drawing_order(sketch)) {
         if (body == frame) continue;
+        const std::size_t tints = sketch.tints.size(), bodies = sketch.bodies.size();
         draw_link(sketch, body, below);
+        own_tints(sketch.tints, tints, body);
+        own_tints(sketch.bodies, bodies, body);
         below.push_back(body);
     }
     for (const BodyIndex body : sketch.mechanism.moving_bodies())

@@ -16,6 +16,7 @@ namespace kinegraph::render {
 struct BalloonGround {
     Colour paper{};
     std::optional<Colour> own{};  ///< the tint that needs no fill; none if another body has the same tint
+    BodyIndex body = none;        ///< whose number it is
 };
 
 /// A label to be placed near its object.

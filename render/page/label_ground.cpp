@@ -29,7 +29,7 @@ Ground::Ground(const std::vector<Mark>& marks, const Fonts& fonts) : map_(box_of
 void Ground::add(const Path& path) {
     map_.ink(path);
     if (!path.filled || !path.tinted || is_dot(path)) return;
-    Area area{outline_of(path), nowhere, path.fill};
+    Area area{outline_of(path), nowhere, {path.fill, path.tint_of}};
     if (area.corners.size() < 3) return;
     for (const Spot& spot : area.corners) enlarge(area.box, spot);
     areas_.push_back(std::move(area));
@@ -53,7 +53,7 @@ bool Ground::Area::holds(Spot spot) const {
     return in;
 }
 
-std::optional<Colour> Ground::tint_at(Spot spot) const {
+std::optional<Ground::Tint> Ground::tint_at(Spot spot) const {
     // The area drawn last is the visible one.
     const auto area = std::find_if(areas_.rbegin(), areas_.rend(), [&](const Area& each) { return each.holds(spot); });
     return area == areas_.rend() ? std::nullopt : std::optional(area->tint);

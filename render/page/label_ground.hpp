@@ -28,15 +28,20 @@ public:
     /// Number of strokes that a leader would cross, counted up to `most`.
     int crossed(Spot from, Spot to, int most = InkMap::all) const { return map_.crossings(from, to, most); }
 
+    /// A colour, and the body whose tint it is, if it is one's.
+    struct Tint {
+        Colour colour;
+        BodyIndex body = none;
+    };
     /// The tint at a spot, if any.
-    std::optional<Colour> tint_at(Spot spot) const;
+    std::optional<Tint> tint_at(Spot spot) const;
 
 private:
     /// A tinted area. A label may stand in it, at a small price.
     struct Area {
         std::vector<Spot> corners;
         Box box;
-        Colour tint;
+        Tint tint;
         bool holds(Spot spot) const;
     };
     void add(const Path& path);

@@ -323,8 +323,12 @@ bool LabelPlaces::is_on_foreign_tint(const Candidate& candidate) const {
     if (!request_.ground || request_.balloon <= 0) return false;
     const double off = request_.balloon;
     for (const Spot aside : {Spot{0, 0}, Spot{off, 0}, Spot{-off, 0}, Spot{0, off}, Spot{0, -off}}) {
-        const std::optional<Colour> tint = setting_.ground.tint_at(candidate.box.centre + aside);
-        if (tint && tint != request_.ground->own && tint != request_.ground->paper) return true;
+        const auto tint = setting_.ground.tint_at(candidate.box.centre + aside);
+        if (!tint) continue;
+        // By the body and not by the colour, so that numbers stand alike in every theme.
+        const BalloonGround& own = *request_.ground;
+        if (tint->body != none ? tint->body != own.body : tint->colour != own.own && tint->colour != own.paper)
+            return true;
     }
     return false;
 }

@@ -63,8 +63,8 @@ void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour
 /// The circle round a number. On the tint of another body it is filled with the paper colour.
 Path balloon_of(const LabelRequest& request, Spot centre, const Ground& ground) {
     Pen pen{0.35, request.colour, going_round(request.dashes, 2 * std::numbers::pi * request.balloon), false};
-    const std::optional<Colour> tint = request.ground ? ground.tint_at(centre) : std::nullopt;
-    if (tint && tint != request.ground->own)
+    const auto tint = request.ground ? ground.tint_at(centre) : std::nullopt;
+    if (tint && tint->colour != request.ground->own)
         return ring(centre, request.balloon, request.ground->paper, std::move(pen));
     return circle(centre, request.balloon, std::move(pen));
 }
