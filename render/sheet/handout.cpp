@@ -81,7 +81,7 @@ private:
         Spot at = drawn_.caption;
         if (is_question_) {
             if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
-            figure = with_all_dimensions(figure, at);
+            figure = question_in_place(figure, at);
             drawn_.figures.front().scale = figure.scale;  // for the list of scales
         }
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
@@ -118,21 +118,6 @@ private:
         figure.scale = scale;
         figure.origin = 0.5 * (room.min + room.max) - (0.5 / scale) * (extent.min + extent.max);
         drawn_.caption_width = room.width();
-    }
-    /// The mechanism with its data at its position in the solution or, if dimensions have no room there, in the middle
-    /// of the page.
-    Figure with_all_dimensions(const Figure& solved, Spot& caption) {
-        const Spot in_solution = caption;
-        const double width = drawn_.caption_width;
-        Figure in_place = question_in_place(solved, caption);
-        const Spot caption_in_place = std::exchange(caption, in_solution);
-        Figure middle = solved;
-        stand_at(middle, solved.scale);
-        middle = question_in_place(middle, caption);
-        if (dimensions_in(middle) > dimensions_in(in_place)) return middle;
-        caption = caption_in_place;
-        drawn_.caption_width = width;
-        return in_place;
     }
     /// The mechanism with its data at its position in the solution. If it needs the space of the caption, the caption
     /// moves down; only if it still leaves the paper, the mechanism moves.

@@ -483,12 +483,12 @@ TEST(Question, ShowsItsMechanismLarge) {
     EXPECT_GT(span(tests::solved(toggle_press), Language::en), 50);
 }
 
-/// A short offset has its arrows and its text outside.
+/// A short offset has its arrows and its text outside. (That of the rod has no room where the solution has its figure.)
 TEST(Question, HasAShortOffsetAsADimension) {
     const Page page =
         lay_out(tests::solved(loaded_slider(R"(["omega 3"])")), of_kind(SheetKind::question), fonts()).front();
     const auto texts = texts_of(page);
-    for (const std::string each : {"15 mm", "50 mm", "200 mm", "60°"})
+    for (const std::string each : {"15 mm", "50 mm", "60°"})
         EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const TextMark* text) {
             return plain_of(text->words) == each;
         })) << each;
