@@ -94,11 +94,6 @@ bool WantedFigures::shows_centres() const {
     return asked && !context_.solution.centres.empty();
 }
 
-bool WantedFigures::are_crowded() const {
-    constexpr std::size_t many_names = 48;
-    return std::any_of(list.begin(), list.end(), [](const Wanted& each) { return each.letters > many_names; });
-}
-
 std::optional<std::size_t> WantedFigures::named(const std::string& name) const {
     const auto found = std::find_if(list.begin(), list.end(), [&](const Wanted& each) { return each.name == name; });
     if (found == list.end()) return std::nullopt;
@@ -156,7 +151,6 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.name = "joukowsky";
     lever.extent_x = extent_of_lever(s).width();
     lever.extent_y = extent_of_lever(s).height();
-    lever.rim_x = lever.rim_y = 40;  // forces on both sides
     lever.least = 20;
     lever.draw = [this](Spot room, const ScaleWish& wish) { return joukowsky_figure(context_, room.x, room.y, wish); };
     add(std::move(lever));
@@ -437,7 +431,6 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.extent_y = scene.height();
     wanted.least = 16;
     wanted.enough = 110;
-    wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();
     wanted.asked = asked(scene.id, si);

@@ -39,7 +39,6 @@ struct Wanted {
     double rim_x = 20, rim_y = 14;      ///< of a figure that fills its room: space round its strokes, mm
     double least = 18;                  ///< mm; nothing can be read off the figure if its longer extent is less
     double enough = 200;                ///< mm; it gains nothing from a larger size
-    std::size_t letters = 0;            ///< number of labels
     double weight = 1;                  ///< of its score, relative to other figures
     std::optional<double> asked{};      ///< the scale in the file
     Draw draw{};
@@ -78,8 +77,6 @@ public:
     const std::deque<PolygonScene>& scenes() const { return scenes_; }
     /// Whether the instant centres are shown.
     bool shows_centres() const;
-    /// Whether a figure has so many labels that drawing it for several rooms takes too much time.
-    bool are_crowded() const;
 
 private:
     Wanted& add(Wanted wanted);

@@ -17,8 +17,6 @@ namespace kinegraph::render {
 /// The mechanism with pair symbols, ground, body numbers and, if `with_centres`, instant centres and their lines.
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         const ScaleWish& wish = {});
-/// The number of dimensions in a figure of the mechanism.
-std::size_t dimensions_in(const Figure& figure);
 /// Its extent with the centres that are near enough to be shown, m.
 Box extent_of_mechanism(const Solution& solution, bool with_centres);
 /// The mechanism with ω (or α) of its bodies, each marked with the statement that determines it.
@@ -76,16 +74,12 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
 /// lines.
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
                       const ScaleWish& wish = {});
-/// The size of its strokes at a scale, mm, without labels: a lower bound for any room.
-Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                       const ScaleWish& wish = {});
 
 // Forces. Triangles and closed polygon share one scale, by the wish that they are drawn with.
 
-/// Whether there are force polygons, and their number.
 bool has_force_polygons(const Solution& solution);
-int force_polygon_count(const Solution& solution);
 /// The extent of the force polygons of the bodies side by side, in the unit of force of the file.
 Box extent_of_forces(const Solution& solution);
 /// The extent of a free body with its points of application and near points of concurrency, m.
@@ -108,8 +102,6 @@ Figure partial_sums_figure(const DrawingContext& context, double room_x, double 
 Box extent_of_partial_sums(const Solution& solution);
 /// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
-/// The size of the strokes of a polygon at a scale, with its name and scale bar, mm; `joined`: for the closed polygon.
-Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale);
 /// The closed polygon: the polygons joined, external forces solid, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              const ScaleWish& wish = {});

@@ -527,7 +527,6 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body) {
     const std::vector<int> shown = shown_polygons(solution);
     return body.polygon >= 0 && std::find(shown.begin(), shown.end(), body.polygon) != shown.end();
 }
-int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
 Box extent_of_forces(const Solution& solution) { return extent_of_polygons(solution, shown_polygons(solution)); }
 Box extent_of_partial_sums(const Solution& solution) {
@@ -542,14 +541,6 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
 
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     return fitted_rows(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, wish);
-}
-
-Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale) {
-    const ForcePolygon drawing(context, polygon);
-    const Figure empty = drawing.empty_at(scale);
-    const Box box = drawing.with_parts(empty, drawing.parts_of(empty), {}).box;
-    constexpr double name = 6, bar = 9, bar_with_unit = 19;
-    return {std::max(box.width(), bar_with_unit), box.height() + (joined ? 0 : name) + bar};
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,

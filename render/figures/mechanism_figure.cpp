@@ -185,6 +185,13 @@ Box extent_with_centres(const Subject& subject) {
     return extent;
 }
 
+std::size_t dimensions_in(const Figure& figure) {
+    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        return group && group->cls == "dimension";
+    }));
+}
+
 /// A figure of the mechanism with optional content; draws it at several scales.
 struct MechanismFigure {
     const DrawingContext& context;
@@ -465,13 +472,6 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 }
 
 }  // namespace
-
-std::size_t dimensions_in(const Figure& figure) {
-    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
-        const auto* group = std::get_if<GroupBegin>(&mark);
-        return group && group->cls == "dimension";
-    }));
-}
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         const ScaleWish& wish) {

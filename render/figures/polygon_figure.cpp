@@ -129,13 +129,6 @@ class PolygonDrawing {
 public:
     PolygonDrawing(const DrawingContext& context, const PolygonScene& scene)
         : context_(context), scene_(scene), numbers_(scene) {}
-    /// A drawing without letters, to measure the size of its strokes.
-    static PolygonDrawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
-        PolygonDrawing drawing(context, scene);
-        drawing.has_names_ = false;
-        return drawing;
-    }
-
     bool empty() const { return scene_.empty(); }
     double width() const { return scene_.width(); }
     double height() const { return scene_.height(); }
@@ -149,7 +142,7 @@ public:
         Figure figure;
         figure.kind = kind();
         figure.id = legal_id(scene_.id);
-        if (has_names_) figure.caption = caption();
+        figure.caption = caption();
         figure.scale = scale;
         figure.has_scale = !scene_.vectors.empty();
         figure.unit = scene_.unit.symbol;
@@ -158,7 +151,6 @@ public:
     }
     PolygonParts parts_of(const Figure& figure) const {
         PolygonParts parts;
-        parts.has_names = has_names_;
         add_vectors(parts, figure);
         set_side_by_side(parts);
         add_trials(parts, figure);
@@ -275,7 +267,7 @@ private:
             reasons.push_back(&each.reason);
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
-            if (has_names_ && each.reason.kind != LineReason::Kind::known) {
+            if (each.reason.kind != LineReason::Kind::known) {
                 if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
                     drawn.mark = one_piece(number);
                 append(drawn.mark, typeset(each.reason, context_.language));
@@ -338,7 +330,7 @@ private:
         error.from = foot;
         error.to = tip;
         error.pen = {context_.theme.thin, context_.theme.text, {}, false};
-        if (has_names_) error.mark = typeset(miss.symbol, context_.language);
+        error.mark = typeset(miss.symbol, context_.language);
         error.mark_at = 0.5 * (foot + tip);
         error.mark_toward = tip;
         error.mark_along = false;
@@ -352,10 +344,8 @@ private:
             drawn.tail = spot(figure, each.tail);
             drawn.tip = spot(figure, each.tip);
             drawn.value = each.value;
-            if (has_names_) {
-                drawn.name = each.name;
-                drawn.text = typeset(each.symbol, context_.language);
-            }
+            drawn.name = each.name;
+            drawn.text = typeset(each.symbol, context_.language);
             drawn.colour = context_.theme.colour_of(each.body);
             drawn.has_right_angles = each.has_right_angles;
             drawn.statement = each.statement;
@@ -368,9 +358,9 @@ private:
             PolygonImage drawn;
             drawn.kind = each.kind;
             drawn.at = spot(figure, each.at);
-            if (has_names_) drawn.text = typeset(each.symbol, context_.language);
+            drawn.text = typeset(each.symbol, context_.language);
             if (each.kind != SceneImage::Kind::trial)
-                drawn.name = has_names_ ? name_of(each.symbol) : "";
+                drawn.name = name_of(each.symbol);
             else if (!drawn.text.empty())
                 drawn.text.back().sup += each.trial == 1 ? "I" : "II";
             drawn.statement = each.statement;
@@ -381,7 +371,6 @@ private:
     const DrawingContext& context_;
     const PolygonScene& scene_;
     LineNumbers numbers_;
-    bool has_names_ = true;
 };
 
 // If a room is too small for labels, the last trial is the smallest figure that still shows something: at least this
@@ -535,11 +524,6 @@ private:
 
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, const ScaleWish& wish) {
     return polygon_figure(context, polygon_scene(context.solution, polygon), room_x, room_y, wish);
-}
-
-Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale) {
-    const Box box = PolygonDrawing::of_strokes(context, scene).at(scale).box;
-    return {box.width(), box.height()};
 }
 
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,

@@ -141,7 +141,7 @@ private:
         for (const PolygonLine& each : parts_.lines) {
             figure_.marks.emplace_back(line(each.from, each.to, each.pen));
             belong(figure_.marks, figure_.marks.size() - 1, each.statement);
-            if (each.mark.empty() || !parts_.has_names) continue;
+            if (each.mark.empty()) continue;
             LabelRequest& mark =
                 ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
@@ -154,7 +154,7 @@ private:
             if (image.kind != PolygonImage::Kind::trial) continue;
             figure_.marks.emplace_back(disc(image.at, 0.4, theme_.secondary));
             belong(figure_.marks, figure_.marks.size() - 1, image.statement);
-            if (parts_.has_names && !is_in_any(details_, image.at))
+            if (!is_in_any(details_, image.at))
                 ask_label(image.text, theme_.small, theme_.secondary, image.at, 1.4, image.statement);
         }
     }
@@ -238,11 +238,11 @@ private:
         const Spot tail = vector.tail + vector.aside, tip = vector.tip + vector.aside;
         if (with == drawn.end()) lead_back(vector);
         const std::size_t first = marks.size();
-        if (parts_.has_names) begin_group(vector, marks);
+        begin_group(vector, marks);
         marks.emplace_back(Axis{tail, tip});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
             draw_shaft(marks, tail, tip, true, vector.colour, vector.internal, vector.statement);
-        if (parts_.has_names) marks.emplace_back(GroupEnd{});
+        marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
             if (!with->label) return;
@@ -258,7 +258,7 @@ private:
             return;
         }
         drawn.push_back({&vector, !vector.internal, std::nullopt});
-        if (!parts_.has_names || is_in_any(details_, vector)) return;
+        if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
         LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation,
                                         vector.colour.letter, 0.5 * (tail + tip), 1.5, vector.statement);

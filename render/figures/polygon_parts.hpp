@@ -69,7 +69,6 @@ struct PolygonParts {
     std::vector<PolygonImage> images;
     std::vector<PolygonCorner> corners;
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
-    bool has_names = true;               ///< false: drawn only to measure its strokes; no labels, no groups
 };
 
 /// Moves vectors that would cover each other apart, as in textbooks: the first keeps its place, each other one takes

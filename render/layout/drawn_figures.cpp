@@ -1,8 +1,6 @@
 // Implementation of drawn_figures.hpp.
 #include "render/layout/drawn_figures.hpp"
 
-#include <algorithm>
-
 #include "engine/number/assert.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
@@ -10,11 +8,6 @@
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
-
-bool DrawnFigure::keeps_to_room() const {
-    constexpr double ink = 0.25;  // mm: border lines of a figure may exceed its room by this
-    return figure.box.width() < room.width() + ink && height() < room.height() + ink;
-}
 
 void DrawnFigures::take(const SheetPlan& plan) {
     by_band_.clear();
@@ -50,13 +43,6 @@ void DrawnFigures::enrich() {
             Figure more = wanted.enrich(drawn.figure, {drawn.room.width(), drawn.room.height() - drawn.caption});
             if (more.scale != any_scale) drawn.figure = std::move(more);
         }
-}
-
-bool DrawnFigures::keep_to_rooms() const {
-    return std::all_of(by_band_.begin(), by_band_.end(), [](const auto& band) {
-        return std::all_of(band.second.begin(), band.second.end(),
-                           [](const DrawnFigure& drawn) { return drawn.keeps_to_room(); });
-    });
 }
 
 /// The room is wide enough for both: the plan measured the free corner.

@@ -19,8 +19,6 @@ struct DrawnFigure {
     std::vector<Mark> beside{};  ///< equations in a corner
 
     double height() const { return caption + figure.box.height(); }
-    /// Whether figure and caption have room.
-    bool keeps_to_room() const;
 };
 
 class DrawnFigures {
@@ -34,7 +32,6 @@ public:
 
     /// Takes the drawings of a plan, numbers them, and letters their details (I, II, …).
     void take(const SheetPlan& plan);
-    bool keep_to_rooms() const;
     /// Adds optional content to the figures where their rooms have space for it.
     void enrich();
 

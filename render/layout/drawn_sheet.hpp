@@ -15,7 +15,6 @@ struct DrawnSheet {
     std::vector<Figure> figures;  ///< in the order of their numbers, at their positions on the page
     Spot caption;                 ///< of figure 1: its top left corner
     double caption_width = 0;     ///< of figure 1: the width for it, mm
-    bool keeps_to_rooms = true;   ///< every figure fits into the room planned for it
 };
 
 /// The worked solution, with the detail of the options.

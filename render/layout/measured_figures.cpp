@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/figures/caption.hpp"
 #include "render/layout/beside.hpp"
@@ -200,11 +201,13 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     sizes.push_back({narrow, high + caption, score - price_of_broken_caption, scale, 0, drawing});
 }
 
-double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& block) {
+double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& equations) {
     Drawing& drawing = drawings_[figure][size.drawing];
-    const auto [found, fresh] = drawing.wider.try_emplace(block.width);
-    if (fresh) found->second = width_beside(drawing.figure, block);
-    return found->second;
+    // What is larger than its page leaves no corner.
+    const Box& box = drawing.figure.box;
+    if (box.width() > size.x || box.height() > size.y) return std::numeric_limits<double>::infinity();
+    if (!drawing.wider) drawing.wider = width_beside(drawing.figure, equations);
+    return *drawing.wider;
 }
 
 }  // namespace kinegraph::render

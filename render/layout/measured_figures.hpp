@@ -30,15 +30,16 @@ public:
     const Figure& drawing(std::size_t figure, const FigureSize& size) const {
         return drawings_[figure][size.drawing].figure;
     }
-    /// By how many mm the room of a drawing must be wider to hold a block in one of its corners.
-    double wider_for(std::size_t figure, const FigureSize& size, const Block& block);
+    /// By how many mm the room of a drawing must be wider to hold the equations of its band in one of its corners.
+    /// Infinity: no room is wide enough.
+    double wider_for(std::size_t figure, const FigureSize& size, const Block& equations);
 
 private:
     struct Drawing {
         Spot room;
         ScaleWish wish;
         Figure figure;
-        std::map<double, double> wider{};  // by width of the block
+        std::optional<double> wider{};  // by how much it must be wider for the equations of its band
     };
     struct Measure {
         double scale;  // units of the extents per mm

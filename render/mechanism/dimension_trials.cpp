@@ -94,6 +94,31 @@ std::vector<DimensionTrial> DimensionTrials::of(const DimensionedLength& datum, 
     return trials;
 }
 
+std::vector<DimensionTrial> DimensionTrials::beside(const DimensionedLength& datum, double width) const {
+    constexpr double beyond_text = 2;  // mm of the segment at both ends of the text
+    constexpr double height = 3;       // of the text, mm
+    const Spot run = datum.to - datum.from;
+    const bool measures_its_segment = std::abs(cross(unit(run), datum.along)) < 1e-6;
+    if (!sought_far_ || !measures_its_segment || length(run) < width + 2 * beyond_text) return {};
+    const double angle = readable(angle_of(run));
+    const Spot up{std::sin(angle), -std::cos(angle)};
+    const double off = 0.5 * sketch_.theme.link;
+    std::vector<DimensionTrial> trials;
+    for (const double share : {0.5, 0.35, 0.65, 0.25, 0.75}) {
+        if (std::min(share, 1 - share) * length(run) < 0.5 * width + beyond_text) continue;
+        for (const double away : {1.0, 2.5, 4.0})
+            for (const bool above : {true, false}) {
+                DimensionTrial trial;
+                trial.draw = [](std::vector<Mark>&) {};
+                trial.text_angle = angle;
+                trial.text_at = datum.from + share * run + (above ? off + away : -off - away - height) * up;
+                trial.price = 0.06 * away + 0.2 * std::abs(share - 0.5);
+                trials.push_back(std::move(trial));
+            }
+    }
+    return trials;
+}
+
 double DimensionTrials::leader_angle(double step) { return -pi_number / 4 + pi_number / 6 * step + 0.05; }
 
 DimensionTrial DimensionTrials::from_outside(const DimensionedRadius& datum, double angle, double length, double width,

@@ -19,6 +19,8 @@ public:
     std::vector<DimensionTrial> of(const DimensionedLength& datum, double width) const;
     std::vector<DimensionTrial> of(const DimensionedRadius& datum, double width) const;
     std::vector<DimensionTrial> of(const DimensionedAngle& datum, double width) const;
+    /// Candidates with the text alone, along the measured segment, for a length without any other place.
+    std::vector<DimensionTrial> beside(const DimensionedLength& datum, double width) const;
     /// Candidates with the text on a shelf at the end of a leader, for an angle without any other place.
     std::vector<DimensionTrial> led_out_of(const DimensionedAngle& datum, double width) const;
 

@@ -75,7 +75,10 @@ private:
         const ShapedLine text = text_of(words);
         const std::vector<DimensionTrial> trials = trials_.of(datum, text.width);
         if (trials.empty()) return false;  // before an id is taken
-        return draw_best(trials, text, {datum.from, datum.to}, drawn_as(datum.name), words, all);
+        const std::array<Spot, 2> ends{datum.from, datum.to};
+        const Drawn as = drawn_as(datum.name);
+        return draw_best(trials, text, ends, as, words, all) ||
+               draw_best(trials_.beside(datum, text.width), text, ends, as, words, false);
     }
     bool draw(const DimensionedRadius& datum, bool all) {
         const std::string words = "R " + with_unit(datum.value);

@@ -45,8 +45,7 @@ public:
         figures_.enrich();
         tell_where_figures_stand();
         SheetPages pages(context_, format_, signature_, {plan_, bands_, figures_, *text_});
-        DrawnSheet sheet{
-            pages.set(after_), {}, pages.first_caption(), pages.first_caption_width(), figures_.keep_to_rooms()};
+        DrawnSheet sheet{pages.set(after_), {}, pages.first_caption(), pages.first_caption_width()};
         std::map<int, Figure*> by_number;
         for (auto& [band, figures] : figures_.by_band())
             for (DrawnFigure& each : figures) by_number[each.number] = &each.figure;

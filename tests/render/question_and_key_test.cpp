@@ -472,23 +472,28 @@ TEST(Question, DrawsWhatItsDataNames) {
     EXPECT_EQ(std::count(names.begin(), names.end(), "far"), 0) << "it would make the mechanism a dot";
 }
 
-/// Far centres and long captions leave room for it in every language.
-TEST(Question, ShowsItsMechanismLarge) {
-    const auto span = [](const Solution& solution, Language language) {
-        SheetOptions options = of_kind(SheetKind::question);
+/// Far centres and long captions make the solution's mechanism small, above all in a brief one; they are no part of a
+/// question, which then has it as large as it may be.
+TEST(Question, ShowsAMechanismThatItsSolutionHasTooSmall) {
+    const auto span = [](const Solution& solution, SheetKind kind, SolutionDetail detail, Language language) {
+        SheetOptions options = of_kind(kind);
         options.language = language;
+        options.detail = detail;
         return span_of(joints_of(lay_out(solution, options, fonts()).front()));
     };
-    EXPECT_GT(span(example("peaucellier"), Language::it), 50);
-    EXPECT_GT(span(tests::solved(toggle_press), Language::en), 50);
+    const Solution& arch = example("three_hinged_arch");
+    ASSERT_LT(span(arch, SheetKind::solution, SolutionDetail::brief, Language::en), too_small_for_data);
+    EXPECT_GT(span(arch, SheetKind::question, SolutionDetail::brief, Language::en), 50);
+    EXPECT_GT(span(example("peaucellier"), SheetKind::question, SolutionDetail::full, Language::it), 50);
+    EXPECT_GT(span(tests::solved(toggle_press), SheetKind::question, SolutionDetail::full, Language::en), 50);
 }
 
-/// A short offset has its arrows and its text outside. (That of the rod has no room where the solution has its figure.)
+/// A short offset has its arrows and its text outside.
 TEST(Question, HasAShortOffsetAsADimension) {
     const Page page =
         lay_out(tests::solved(loaded_slider(R"(["omega 3"])")), of_kind(SheetKind::question), fonts()).front();
     const auto texts = texts_of(page);
-    for (const std::string each : {"15 mm", "50 mm", "60°"})
+    for (const std::string each : {"15 mm", "50 mm", "200 mm", "60°"})
         EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const TextMark* text) {
             return plain_of(text->words) == each;
         })) << each;
