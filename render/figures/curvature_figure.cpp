@@ -389,6 +389,7 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
                            .strict = wish.strict,
+                           .exactly = wish.exactly,
                            .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "curvature-" + body + "-");

@@ -147,6 +147,7 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
                            .strict = wish.strict,
+                           .exactly = wish.exactly,
                            .names_stay_in_room = true};
     const std::string name = displacement_figure_name(index);
     return fit(policy, [&](const Trial& trial) {

@@ -107,9 +107,9 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
                              const ScaleWish& wish = {});
 /// A free body (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
 /// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `load`: as for mechanism_with_forces(); then
-/// the id ends in "-load-<load>". `shrinks`: the body may shrink to almost nothing if the room is too small.
+/// the id ends in "-load-<load>".
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
-                        bool at_pairs = true, const std::string& load = "", bool shrinks = true);
+                        bool at_pairs = true, const std::string& load = "");
 
 // Joukowsky's lever: forces at the tips of the velocities turned by a quarter turn. Their moments about the pole are
 // the powers with opposite sign.

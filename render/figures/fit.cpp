@@ -28,6 +28,7 @@ Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(co
         const bool is_small = half > 0 && trial.scale > 0.99 * half;
         trial.strict = policy.strict || is_small;
         const bool as_it_comes = trial.last || is_small;
+        if (policy.exactly && trial.number > 0) return Figure::empty_at(any_scale);
         auto figure = draw(trial);
         KG_ASSERT(figure || !trial.last, "the last trial has a figure");
         if (figure && (as_it_comes || has_room(policy, *figure))) return *std::move(figure);

@@ -24,6 +24,8 @@ struct ScaleWish {
     double finest = 0;              ///< units per mm; 0: the finest with room
     std::optional<double> asked{};  ///< tried first, in units per mm; kept if the figure has room at it
     bool strict = false;            ///< names keep to the room even where they stand worse
+    /// At no coarser scale than the finest that is allowed: without room at that, the figure is empty and at any_scale.
+    bool exactly = false;
 };
 
 struct FitPolicy {
@@ -31,6 +33,7 @@ struct FitPolicy {
     double first = 1;               ///< first scale, units per mm
     std::optional<double> asked{};  ///< scale in the file, tried first
     bool strict = false;            ///< names keep to the room in every trial
+    bool exactly = false;           ///< see ScaleWish::exactly: there is one trial
     int most_trials = 12;           ///< before the last one
     double extent = 0;              ///< of the figure in units; if given, the last trial is the coarsest one …
     double least_shown = 0;         ///< … that shows at least this many mm of it

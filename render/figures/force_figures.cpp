@@ -826,7 +826,7 @@ Box extent_of_free_body(const Solution& solution, std::size_t index) {
 }
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
-                        const std::string& load, bool shrinks) {
+                        const std::string& load) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
@@ -858,7 +858,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                                   std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                    : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
     // Names keep their size, so that a smaller body gains little space for them and shows nothing.
-    const double least_shown = shrinks ? 0.05 : 5;
+    constexpr double least_shown = 14;  // mm
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {
@@ -900,7 +900,8 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const FitPolicy policy{.room = Spot{room_x, room_y},
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
-                           .strict = wish.strict};
+                           .strict = wish.strict,
+                           .exactly = wish.exactly};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
         draw_in_colour(sketch);

@@ -499,6 +499,7 @@ Figure fitted_rows(const Rows& with_tables, Spot room, const ScaleWish& wish) {
     const FitPolicy policy{.room = std::nullopt,
                            .first = std::max(plain_rows.least_scale(room.x, room.y), wish.finest),
                            .asked = wish.asked,
+                           .exactly = wish.exactly,
                            .most_trials = 14,
                            .extent = plain_rows.largest(),
                            .least_shown = least_force_polygon};
@@ -576,6 +577,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
     const FitPolicy policy{.room = Spot{room_x, room_y},
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
+                           .exactly = wish.exactly,
                            .most_trials = 14,
                            .extent = std::max(drawing.width(), drawing.height()),
                            .least_shown = least_force_polygon};

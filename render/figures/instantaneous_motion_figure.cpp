@@ -447,6 +447,7 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
                            .strict = wish.strict,
+                           .exactly = wish.exactly,
                            .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "");

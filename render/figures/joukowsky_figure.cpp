@@ -337,6 +337,7 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
     const FitPolicy policy{
         .room = room,
         .first = std::max(choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt), wish.finest),
+        .exactly = wish.exactly,
         .extent = std::max(lever.width(), lever.height()),
         .least_shown = least_velocity};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {

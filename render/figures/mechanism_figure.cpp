@@ -208,6 +208,7 @@ struct MechanismFigure {
                                .first = std::max(first, wish.finest),
                                .asked = wish.asked,
                                .strict = wish.strict,
+                               .exactly = wish.exactly,
                                .names_stay_in_room = true};
         const auto fitted_with = [&](const Arrows& arrows) {
             return fit(policy, [&](const Trial& trial) { return drawn(trial, arrows); });
@@ -442,8 +443,11 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
     for (const ShownVector& one : shown) longest = std::max(longest, length(one.value));
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room.x - 30, 10.0),
                                       std::max(room.y - 36, 10.0), std::nullopt);
-    const FitPolicy policy{
-        .room = room, .first = std::max(first, wish.finest), .strict = wish.strict, .names_stay_in_room = true};
+    const FitPolicy policy{.room = room,
+                           .first = std::max(first, wish.finest),
+                           .strict = wish.strict,
+                           .exactly = wish.exactly,
+                           .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, std::string(what.name) + "-");
         draw_in_grey(sketch);

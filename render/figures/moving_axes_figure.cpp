@@ -124,6 +124,7 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
                            .first = std::max(first, wish.finest),
                            .asked = wish.asked,
                            .strict = wish.strict,
+                           .exactly = wish.exactly,
                            .names_stay_in_room = true};
     const std::string name = moving_axes_name(solution, index);
     return fit(policy, [&](const Trial& trial) {

@@ -403,6 +403,7 @@ public:
         const FitPolicy policy{.room = room_,
                                .first = std::max(first_scale(), wish_.finest),
                                .asked = wish_.asked,
+                               .exactly = wish_.exactly,
                                .extent = extent(),
                                .least_shown = std::max(least_polygon, smallest_readable_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);

@@ -37,6 +37,7 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     if (!fresh) return sizes;
     for (const Measure& each : measures(wanted, force_scale, crowded)) {
         measure(sizes, figure, each);
+        if (sizes.empty()) continue;
         // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
         const Box& box = drawings_[figure][sizes.back().drawing].figure.box;
         const bool asked = each.wish.asked.has_value() && !wanted.spare;
@@ -64,16 +65,21 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const Wanted& wanted = wanted_.list[figure];
     const std::size_t free = drawn(figure, measure);
     const Figure& drawing = drawings_[figure][free].figure;
+    if (drawing.scale == any_scale) return;
     const double score = score_of(wanted, measure);
     add_sizes(sizes, figure, free, score);
-    if (!(measure.wish.finest > 0)) return;
+    // Enlarged details want room, and names that are in a key already find no place in less.
+    if (!(measure.wish.finest > 0) || !drawing.details.empty() || drawing.has_key) return;
     constexpr double least_round = 8;  // mm, for names beside the strokes
     constexpr double price_of_narrow = 0.05;
+    constexpr double least_share = 0.75;  // of the width; names hardly ever find places in less
     double width = drawing.box.width();
-    while (const auto column = narrower(width, wanted.extent_x / measure.scale + least_round)) {
-        const std::size_t narrow = drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true}});
+    const double strokes = wanted.extent_x / measure.scale;
+    while (const auto column = narrower(width, std::max(strokes + least_round, least_share * width))) {
+        const std::size_t narrow =
+            drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
         const Figure& other = drawings_[figure][narrow].figure;
-        if (other.scale != drawing.scale || other.box.width() > *column || other.has_key) return;
+        if (other.scale == any_scale || other.box.width() > *column || other.has_key) return;
         add_sizes(sizes, figure, narrow, score - price_of_narrow);
         width = other.box.width();
     }
@@ -159,9 +165,11 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& w
     double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
                                 std::min(page().y, largest), std::nullopt);
     for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least); first = false) {
-        all.push_back({scale, page(), {scale, {}}});
+        all.push_back({scale, page(), {.finest = scale, .exactly = true}});
         scale = next_scale(scale);
     }
+    // The last has to show something.
+    all.back().wish.exactly = false;
     return all;
 }
 
@@ -172,7 +180,7 @@ std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
     for (std::size_t i = 0; i < known.size(); ++i)
         if (known[i].room.x == measure.room.x && known[i].room.y == measure.room.y &&
             known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
-            known[i].wish.strict == measure.wish.strict)
+            known[i].wish.strict == measure.wish.strict && known[i].wish.exactly == measure.wish.exactly)
             return i;
     const Wanted& wanted = wanted_.list[figure];
     Drawing drawing{measure.room, measure.wish, wanted.draw(measure.room, measure.wish)};
@@ -186,7 +194,10 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     constexpr double price_of_broken_caption = 0.15;
     constexpr double least_of_caption = 40;  // mm
     constexpr int number = 88;               // as wide as any that a sheet has
+    constexpr double price_of_lack = 0.4;    // about half a step of the scale
     const Figure& drawn = drawings_[figure][drawing].figure;
+    // Vectors too short to read, and names that stand in a key.
+    if (drawn.lacks_details || drawn.has_key) score -= price_of_lack;
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
     const double whole = caption_width(context_, drawn, number);
     const double scale = drawn.scale;
