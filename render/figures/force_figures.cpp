@@ -858,7 +858,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                                   std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                    : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
     // Names keep their size, so that a smaller body gains little space for them and shows nothing.
-    constexpr double least_shown = 14;  // mm
+    constexpr double least_shown = 0.05;  // mm
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {

@@ -53,9 +53,11 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     return sizes;
 }
 
-double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure) const {
+/// A figure that fills its room has shrunk where its names needed the room.
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing) const {
     constexpr double as_asked = 6;
-    const double size = std::clamp(wanted.extent() / measure.scale, 1.0, wanted.enough);
+    const bool has_shrunk = wanted.fills && drawing.places > measure.scale;
+    const double size = std::clamp(wanted.extent() / (has_shrunk ? drawing.places : measure.scale), 1.0, wanted.enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
 }
 
@@ -66,7 +68,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const std::size_t free = drawn(figure, measure);
     const Figure& drawing = drawings_[figure][free].figure;
     if (drawing.scale == any_scale) return;
-    const double score = score_of(wanted, measure);
+    const double score = score_of(wanted, measure, drawing);
     add_sizes(sizes, figure, free, score);
     // Enlarged details want room, and names that are in a key already find no place in less.
     if (!(measure.wish.finest > 0) || !drawing.details.empty() || drawing.has_key) return;

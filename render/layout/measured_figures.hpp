@@ -47,7 +47,7 @@ private:
         ScaleWish wish;
     };
     void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure);
-    double score_of(const Wanted& wanted, const Measure& measure) const;
+    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing) const;
     const Wanted* largest_of_forces() const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, bool crowded) const;
