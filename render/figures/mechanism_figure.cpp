@@ -231,7 +231,7 @@ struct MechanismFigure {
             double most_pulled;  // greatest fraction of them with a leader, which are hard to find
         };
         const std::vector<Choice> choices{{{omega, alpha}, 0.5}, {{omega}, 0.7}};
-        constexpr std::size_t most = 6;        // with more, any figure is crowded
+        constexpr std::size_t most = 2;        // with more, any figure is crowded
         constexpr double room_of_each = 1200;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
         for (const auto& [found, most_pulled] : choices) {
@@ -283,7 +283,7 @@ private:
 
     /// ", without P_24, P_25". If there are many, only the first are named, since the list of centres is complete.
     RichText without(const std::vector<RichText>& centres) const {
-        constexpr std::size_t most = 6;
+        constexpr std::size_t most = 2;
         RichText text = one_piece(word(lang::sheet::without_centres, context.language) + " ");
         for (std::size_t i = 0; i < std::min(centres.size(), most); ++i) {
             if (i > 0) append(text, one_piece(", "));

@@ -90,7 +90,7 @@ public:
         for (std::size_t first = n; first-- > 0;)
             if (rest[first].is_reached)
                 for_each_page(rest, first, [&](std::size_t end, double score) {
-                    const double all = score + rest[end].score - (end < n ? price_of_emptiness(first, end) : 0);
+                    const double all = score + rest[end].score - price_of_emptiness(first, end);
                     if (all > rest[first].score) rest[first].score = all, rest[first].end = end;
                 });
         PagePlan plan{{}, rest[0].score};
@@ -165,11 +165,10 @@ private:
         return rest;
     }
 
-    /// Penalty for white space. A half empty page before the last looks like a mistake; to avoid it figures may become
-    /// smaller (a step of the scale has a score of 0.7). It is quadratic, because one very empty page is worse than two
-    /// slightly empty ones.
+    /// Penalty for white space. It is quadratic, because one very empty page is worse than two slightly empty ones; so
+    /// a last page with little on it takes bands from the page before, whose figures become larger.
     double price_of_emptiness(std::size_t first, std::size_t end) {
-        constexpr double price_of_an_empty_page = 100;
+        constexpr double price_of_an_empty_page = 40;
         const Box content = content_of(format_, first == 0);
         double room = content.width() * content.height(), taken = 0;
         if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);

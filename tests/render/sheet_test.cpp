@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Sheet, EveryExample, testing::ValuesIn(example_names())
 TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
     const auto& pages = laid_out("four_bar");
     EXPECT_TRUE(says(pages[0], "Fig. 1"));
-    EXPECT_TRUE(says(pages[0], "Mechanism and instant centres"));
+    EXPECT_TRUE(says(pages[0], "Mechanism and centres"));
     EXPECT_TRUE(says(pages[0], "Velocity polygon"));
     EXPECT_TRUE(says(pages, "Acceleration polygon"));
     EXPECT_TRUE(says(pages[0], "1 mm ≙ "));
