@@ -114,10 +114,11 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    // Distant centres may take most of the figure; the links need a minimum size.
+    // Distant centres may take most of the figure; the links need a minimum size, and theirs is the figure's score.
     constexpr double least_of_links = 28;
     const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
     const double size = std::max(links.width(), links.height());
+    mechanism.subject = size;
     mechanism.least = size > 0 ? least_of_links * std::max(extent.width(), extent.height()) / size : least_of_links;
     mechanism.weight = context_.solution.instantaneous_motion ? 2 : 1.2;
     return mechanism;

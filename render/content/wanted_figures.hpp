@@ -36,6 +36,7 @@ struct Wanted {
 
     std::string name;                   ///< the name in the command line
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0: the size does not depend on it
+    double subject = 0;                 ///< longer extent of what it is about, such as the links; 0: of all
     double rim_x = 20, rim_y = 14;      ///< of a figure that fills its room: space round its strokes, mm
     double least = 18;                  ///< mm; nothing can be read off the figure if its longer extent is less
     double enough = 200;                ///< mm; it gains nothing from a larger size
@@ -54,6 +55,7 @@ struct Wanted {
     bool has_corner = false;      ///< equations may stand in a free corner of it
 
     double extent() const { return std::max(extent_x, extent_y); }
+    double extent_of_subject() const { return subject > 0 ? subject : extent(); }
     /// The figure in a room, at the scale in the file if it has room at that.
     Figure drawn_in(Spot room) const { return draw(room, {0, asked}); }
 };

@@ -57,7 +57,8 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
 double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing) const {
     constexpr double as_asked = 6;
     const bool has_shrunk = wanted.fills && drawing.places > measure.scale;
-    const double size = std::clamp(wanted.extent() / (has_shrunk ? drawing.places : measure.scale), 1.0, wanted.enough);
+    const double size =
+        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0, wanted.enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
 }
 

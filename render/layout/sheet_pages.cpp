@@ -30,17 +30,47 @@ void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std
     });
 }
 
+std::vector<Figure> all_of(const std::vector<DrawnFigure>& drawn) {
+    std::vector<Figure> all;
+    for (const DrawnFigure& each : drawn) all.push_back(each.figure);
+    return all;
+}
 std::vector<Figure> all_of(const DrawnFigures& figures) {
     std::vector<Figure> all;
     for (const auto& [band, drawn] : figures.by_band())
-        for (const DrawnFigure& each : drawn) all.push_back(each.figure);
+        for (Figure& figure : all_of(drawn)) all.push_back(std::move(figure));
     return all;
+}
+
+bool shows_detail(const std::vector<DrawnFigure>& figures, const std::string& letter) {
+    return std::any_of(figures.begin(), figures.end(), [&](const DrawnFigure& drawn) {
+        const std::vector<DetailOn>& details = drawn.figure.details;
+        return std::any_of(details.begin(), details.end(),
+                           [&](const DetailOn& detail) { return detail.letter == letter; });
+    });
+}
+
+/// The rows of results as measured on the sheet. Each is read where it is longest; but no table cites a detail of
+/// another band, which may stand on another page.
+std::vector<ResultRow> results_measured(const Bands& bands, const DrawnFigures& figures) {
+    std::vector<ResultRow> rows = bands.results_on(all_of(figures));
+    for (const auto& [band, drawn] : figures.by_band()) {
+        std::vector<ResultRow> own;  // measured on the figures of this band
+        for (const Band::Part& part : bands.list[band].parts)
+            for (const std::size_t i :
+                 part.kind == Band::Part::Kind::results ? part.which : std::vector<std::size_t>{}) {
+                if (rows[i].detail.empty() || shows_detail(drawn, rows[i].detail)) continue;
+                if (own.empty()) own = bands.results_on(all_of(drawn));
+                rows[i] = own[i];
+            }
+    }
+    return rows;
 }
 
 }  // namespace
 
 DrawnText::DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned)
-    : results_(bands.results_on(all_of(figures))), texts_(bands, results_, format, &planned) {}
+    : results_(results_measured(bands, figures)), texts_(bands, results_, format, &planned) {}
 
 std::vector<Page> SheetPages::set(std::size_t after) {
     std::vector<Page> pages;
