@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
+#include "render/content/kept_scales.hpp"
 #include "render/content/sheet_parts.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/page.hpp"
@@ -21,7 +23,8 @@ struct SheetOptions {
     std::string author = "", date = "";             ///< for the title block; empty: none
     SolutionDetail detail = SolutionDetail::full;   ///< of a solution
     SheetKind kind = SheetKind::solution;
-    bool grid = false;  ///< a question has blank areas for its polygons, with pole and grid
+    std::optional<KeptScales> kept{};  ///< of figures, as far as a page can hold them; none: those of this sheet alone
+    bool grid = false;                 ///< a question has blank areas for its polygons, with pole and grid
     // Pages before and after these in the same document, and figures before.
     std::size_t pages_before = 0, pages_after = 0;
     int figures_before = 0;

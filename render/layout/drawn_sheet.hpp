@@ -17,6 +17,8 @@ struct DrawnSheet {
     double caption_width = 0;     ///< of figure 1: the width for it, mm
 };
 
+/// The scales of its figures.
+KeptScales scales_of_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 /// The worked solution, with the detail of the options.
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 

@@ -70,7 +70,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const Figure& drawing = drawings_[figure][free].figure;
     if (drawing.scale == any_scale) return;
     const double score = score_of(wanted, measure, drawing);
-    add_sizes(sizes, figure, free, score);
+    add_sizes(sizes, figure, free, score, measure.scale);
     // Enlarged details want room, and names that are in a key already find no place in less.
     if (!(measure.wish.finest > 0) || !drawing.details.empty() || drawing.has_key) return;
     constexpr double least_round = 8;  // mm, for names beside the strokes
@@ -83,7 +83,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
             drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
         const Figure& other = drawings_[figure][narrow].figure;
         if (other.scale == any_scale || other.box.width() > *column || other.has_key) return;
-        add_sizes(sizes, figure, narrow, score - price_of_narrow);
+        add_sizes(sizes, figure, narrow, score - price_of_narrow, measure.scale);
         width = other.box.width();
     }
 }
@@ -118,33 +118,58 @@ std::vector<double> MeasuredFigures::force_scales() const {
          scales.empty() || largest->extent() / scale >= std::max(largest->least, hardly_readable);
          scale = next_scale(scale))
         scales.push_back(scale);
+    if (kept_ && kept_->of_forces) {
+        if (kept_->hold == KeptScales::Hold::exactly) return {*kept_->of_forces};
+        std::erase_if(scales, [&](double scale) { return scale > *kept_->of_forces * (1 + rounding); });
+        if (scales.empty()) return {*kept_->of_forces};
+    }
     return scales;
 }
 
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
                                                                 bool crowded) const {
     if (wanted.empty) return {{1, {60, 30}, {}}};
-    if (wanted.fills) return filling(wanted);
+    if (wanted.fills) return crowded ? filling(wanted) : as_kept(wanted, filling(wanted));
     if (wanted.extent() < nothing) return {{1, page(), {}}};
     if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
-    return at_scales(wanted, crowded);
+    return crowded ? at_scales(wanted, true) : as_kept(wanted, at_scales(wanted, false));
+}
+
+/// Only with the scale that is kept. What was left out to save room stays so.
+std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wanted, std::vector<Measure> all) const {
+    if (!kept_ || wanted.asked) return all;
+    const auto scale = kept_->of_figures.find(wanted.name);
+    if (scale == kept_->of_figures.end()) return all;
+    if (kept_->hold == KeptScales::Hold::not_coarser)
+        std::erase_if(all, [&](const Measure& each) { return each.scale > scale->second * (1 + rounding); });
+    else
+        all.clear();
+    if (all.empty())
+        all.push_back(wanted.fills ? filling_at(wanted, scale->second)
+                                   : Measure{scale->second, page(), {.finest = scale->second}});
+    return all;
 }
 
 /// Rooms of several sizes, in the shape of the figure.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted) const {
     constexpr double parts[] = {1, 0.7, 0.5, 0.35};
-    const bool is_point = wanted.extent() < nothing;
     std::vector<Measure> all;
     for (const double part : parts) {
-        const double size = part * wanted.enough, scale = wanted.extent() / size;
+        const double size = part * wanted.enough;
         if (!all.empty() && size < std::max(wanted.least, hardly_readable)) break;
-        all.push_back({scale,
-                       {std::min((is_point ? size : wanted.extent_x / scale) + wanted.rim_x, page().x),
-                        std::min((is_point ? size : wanted.extent_y / scale) + wanted.rim_y, page().y)},
-                       {}});
+        all.push_back(filling_at(wanted, wanted.extent() / size));
         if (wanted.spare) break;
     }
     return all;
+}
+
+MeasuredFigures::Measure MeasuredFigures::filling_at(const Wanted& wanted, double scale) const {
+    const bool is_point = wanted.extent() < nothing;
+    const double size = wanted.extent() / scale;
+    return {scale,
+            {std::min((is_point ? size : wanted.extent_x / scale) + wanted.rim_x, page().x),
+             std::min((is_point ? size : wanted.extent_y / scale) + wanted.rim_y, page().y)},
+            {}};
 }
 
 /// A row of polygons may also stand in several rows.
@@ -192,8 +217,8 @@ std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
 }
 
 /// With its caption in one line and, at a price, in several.
-void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing,
-                                double score) const {
+void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
+                                double scale) const {
     constexpr double price_of_broken_caption = 0.5;
     constexpr double least_of_caption = 40;  // mm
     constexpr int number = 88;               // as wide as any that a sheet has
@@ -203,7 +228,6 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     if (drawn.lacks_details || drawn.has_key) score -= price_of_lack;
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
     const double whole = caption_width(context_, drawn, number);
-    const double scale = drawn.scale;
     if (whole <= format_.content.width()) {
         sizes.push_back({std::max(own, whole), high + caption_line, score, scale, 0, drawing});
         if (whole <= own) return;

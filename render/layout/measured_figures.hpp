@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "render/content/kept_scales.hpp"
 #include "render/content/sheet_parts.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/layout/figure_shares.hpp"
@@ -18,8 +19,9 @@ namespace kinegraph::render {
 
 class MeasuredFigures {
 public:
-    MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format)
-        : context_(context), wanted_(wanted), format_(format), drawings_(wanted.list.size()) {}
+    MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format,
+                    const std::optional<KeptScales>& kept)
+        : context_(context), wanted_(wanted), format_(format), kept_(kept), drawings_(wanted.list.size()) {}
 
     /// The sizes of a figure (index into WantedFigures::list), the highest score first. `force_scale`: the common scale
     /// of force polygons. `crowded`: down to a size that can hardly be read.
@@ -52,15 +54,19 @@ private:
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, bool crowded) const;
     std::vector<Measure> filling(const Wanted& wanted) const;
+    Measure filling_at(const Wanted& wanted, double scale) const;
+    std::vector<Measure> as_kept(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;
     std::vector<Measure> at_scales(const Wanted& wanted, bool crowded) const;
     std::size_t drawn(std::size_t figure, const Measure& measure);
-    void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score) const;
+    void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
+                   double scale) const;
     Spot page() const { return {format_.content.width(), format_.content.height() - caption_line}; }
 
     const DrawingContext& context_;
     const WantedFigures& wanted_;
     const SheetFormat& format_;
+    const std::optional<KeptScales>& kept_;
     std::vector<std::deque<Drawing>> drawings_;  // by figure; a deque, because references to drawings are kept
     std::map<std::tuple<std::size_t, double, bool>, std::vector<FigureSize>> sizes_;
 };

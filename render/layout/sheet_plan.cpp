@@ -53,6 +53,17 @@ void SheetPlan::plan_all() {
     score_ = plan.score;
 }
 
+KeptScales SheetPlan::scales() const {
+    KeptScales kept;
+    kept.of_forces = force_scale_;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
+            if (layout.rooms[f].x > 0)
+                kept.of_figures[wanted_.list[bands_.list[placed.band].figures[f]].name] = layout.sizes[f].scale;
+    });
+    return kept;
+}
+
 // --- bands that no page can hold
 
 namespace {

@@ -28,6 +28,8 @@ public:
     BandLayout layout_of(const PlacedBand& placed) const {
         return layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch);
     }
+    /// Of the figures shown, and of the force polygons.
+    KeptScales scales() const;
     const BandLayouts& layouts(std::size_t band) const { return layouts_[band]; }
     BandTexts& texts() { return texts_; }
     /// Calls look(placed, layout) for each band in order.

@@ -26,22 +26,24 @@ namespace {
 
 class Layout {
 public:
-    Layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+    Layout(const Solution& solution, const SheetOptions& options, std::optional<KeptScales> kept, const Fonts& fonts)
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           after_(options.pages_after),
           wanted_(context_, options.joukowsky, options.detail),
           bands_(context_, wanted_, options.detail),
-          measured_(context_, wanted_, format_),
+          kept_(std::move(kept)),
+          measured_(context_, wanted_, format_, kept_),
           plan_(wanted_, measured_, bands_, format_),
           figures_(context_, wanted_, bands_, measured_) {}
 
+    KeptScales scales() && {
+        settle();
+        return plan_.scales();
+    }
     DrawnSheet drawn() && {
-        do {
-            plan_.make();
-            figures_.take(plan_);
-        } while (changes_text());
+        settle();
         figures_.enrich();
         tell_where_figures_stand();
         SheetPages pages(context_, format_, signature_, {plan_, bands_, figures_, *text_});
@@ -54,6 +56,12 @@ public:
     }
 
 private:
+    void settle() {
+        do {
+            plan_.make();
+            figures_.take(plan_);
+        } while (changes_text());
+    }
     /// Whether the drawings of the plan change the text, so that another plan is needed: a remark on a figure, or a
     /// table that became too wide for its narrow column with the letters of details.
     bool changes_text() {
@@ -126,6 +134,7 @@ private:
     std::size_t after_;  // pages bound behind these
     WantedFigures wanted_;
     Bands bands_;
+    std::optional<KeptScales> kept_;
     MeasuredFigures measured_;
     SheetPlan plan_;
     DrawnFigures figures_;
@@ -134,8 +143,31 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// A problem has the same scales in every language, and no coarser ones in brief.
+std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    if (options.kept) return options.kept;
+    SheetOptions other = options;
+    if (options.language != Language::en) {
+        other.language = Language::en;
+        return scales_of_solution(solution, other, fonts);
+    }
+    if (options.detail == SolutionDetail::full) return std::nullopt;
+    other.detail = SolutionDetail::full;
+    KeptScales kept = scales_of_solution(solution, other, fonts);
+    kept.hold = KeptScales::Hold::not_coarser;
+    return kept;
+}
+
+}  // namespace
+
+KeptScales scales_of_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return Layout(solution, options, scales_to_keep(solution, options, fonts), fonts).scales();
+}
+
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Layout(solution, options, fonts).drawn();
+    return Layout(solution, options, scales_to_keep(solution, options, fonts), fonts).drawn();
 }
 
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {

@@ -1,0 +1,22 @@
+// Kept scales: the scales of one sheet, for another that is to be read beside it: the same problem in another language,
+// in brief, or with other numbers.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace kinegraph::render {
+
+struct KeptScales {
+    enum class Hold {
+        exactly,      ///< the same scales
+        not_coarser,  ///< the same scales or finer ones
+    };
+    /// By name in the command line, units per mm. A figure that has no name here is free.
+    std::map<std::string, double> of_figures;
+    std::optional<double> of_forces;  ///< common scale of the force polygons
+    Hold hold = Hold::exactly;
+};
+
+}  // namespace kinegraph::render
