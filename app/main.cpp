@@ -447,6 +447,8 @@ void add_variants(CLI::App& program, Action& action) {
         ->type_name("CSV");
     command->add_flag("--merge", request.merge,
                       "One PDF of all questions and one of all solutions, in place of a file each");
+    command->add_flag("--class", request.is_class,
+                      "For a class: all copies have the same scales, and each sheet an even number of pages");
     add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"},
                "FORMAT");
     command

@@ -55,6 +55,7 @@ struct VariantsRequest {
     unsigned long long seed = 1;         ///< seed of the random values
     std::string roster;                  ///< a file of names; empty: none
     bool merge = false;                  ///< all questions in one PDF, all solutions in another
+    bool is_class = false;               ///< all copies have the same scales and an even number of pages
     std::string folder;                  ///< output folder
     std::string format = "pdf";          ///< of the sheets: pdf, svg, png
     std::vector<std::string> platforms;  ///< moodle, qti, csv: additional files for learning platforms

@@ -92,6 +92,12 @@ std::string number_of(std::size_t variant) {
     return std::string(digits.size() < least ? least - digits.size() : 0, '0') + digits;
 }
 
+/// All digits of a number.
+std::string digits_of(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
 class Run {
 public:
     Run(const VariantsRequest& request, std::string text, ExerciseVariants variants, std::vector<std::string> names,
@@ -224,12 +230,15 @@ private:
         std::vector<std::string> fields = told_of(number, name, variant);
         fields.insert(fields.end(),
                       {theme_key(request_.theme, options_), request_.format, std::to_string(request_.dpi)});
-        for (const int each :
-             {static_cast<int>(options_.paper), static_cast<int>(options_.language),
-              static_cast<int>(options_.orientation), static_cast<int>(options_.dimensions),
-              static_cast<int>(options_.detail), static_cast<int>(options_.grid), static_cast<int>(request_.merge)})
+        for (const int each : {static_cast<int>(options_.paper), static_cast<int>(options_.language),
+                               static_cast<int>(options_.orientation), static_cast<int>(options_.dimensions),
+                               static_cast<int>(options_.detail), static_cast<int>(options_.grid),
+                               static_cast<int>(request_.merge), static_cast<int>(options_.even_pages)})
             fields.push_back(std::to_string(each));
         fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
+        if (options_.scales)
+            for (const auto& [figure, scale] : options_.scales->of_figures)
+                fields.insert(fields.end(), {figure, digits_of(scale)});
         return hash_of(fields);
     }
     std::optional<Status> add_question(const ExerciseVariant& variant, const std::string& number,
@@ -370,6 +379,25 @@ tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& r
     return tl::unexpected(Status::bad_input);
 }
 
+/// The scales at which the figures of all variants have room. A status after an error was reported.
+tl::expected<FigureScales, Status> scales_of_class(const VariantsRequest& request, ExerciseVariants variants,
+                                                   std::size_t count, const DrawingOptions& options) {
+    const Stopping stopping;
+    const auto fails = [&](const Diagnostics& faults) {
+        return tl::unexpected(cannot_draw(spoken(request.file), faults, request.sheet.language));
+    };
+    FigureScales all;
+    for (std::size_t i = 0; i < count && Stopping::asked() == 0; ++i) {
+        const auto variant = variants.next({}, [] { return Stopping::asked() != 0; });
+        if (!variant) return fails(variant.error());
+        if (!*variant) break;
+        const auto own = figure_scales((*variant)->solved, options);
+        if (!own) return fails(own.error());
+        all.add(*own);
+    }
+    return all;
+}
+
 /// Checks that the folder exists and can be written into; a status after an error was reported.
 std::optional<Status> folder_fails(const VariantsRequest& request) {
     std::error_code trouble;
@@ -411,6 +439,13 @@ Status variants_command(const VariantsRequest& request) {
                         [&](const ParameterValue& each) { return each.name == varied; }))
             return refuse({lang::command_line::set_varies_in_this_exercise, varied}, language);
     if (const auto status = folder_fails(request)) return *status;
+    if (request.is_class) {
+        options.even_pages = true;
+        auto again = ExerciseVariants::parse(*text, bare_name(request.file), request.seed, request.set, options);
+        auto scales = scales_of_class(request, *std::move(again), count, options);
+        if (!scales) return scales.error();
+        options.scales = *std::move(scales);
+    }
     return Run(request, *std::move(text), *std::move(variants), *names, count, std::move(options)).carry_out();
 }
 

@@ -11,6 +11,7 @@
 #include "engine/number/assert.hpp"
 #include "lang/keys/library.hpp"
 #include "render/backends/backends.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/live/live_page.hpp"
 #include "render/page/theme.hpp"
 #include "render/sheet/figure_alone.hpp"
@@ -108,6 +109,12 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
                    Words(lang::library::there_is_no_such_figure_there, wanted.figure, names));
 }
 
+render::Page empty_page_after(const render::Page& page) {
+    render::Page empty = page;
+    empty.marks.clear();
+    return empty;
+}
+
 /// Calls `paint` with the thread's fonts once the rendering library is open.
 template <class Paint>
 Expected<std::string> painted(Paint paint) {
@@ -138,6 +145,7 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
                  : options.sheet == SheetWanted::answers ? render::SheetKind::answers
                                                          : render::SheetKind::solution;
     sheet.grid = options.grid;
+    if (options.scales) sheet.kept = render::KeptScales{options.scales->of_figures, options.scales->of_forces};
     sheet.joukowsky = options.lever || !options.figure.empty();
     sheet.author = options.author;
     sheet.date = options.date;
@@ -202,6 +210,7 @@ Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& 
         for (const Solved& each : solved) {
             auto more = pages_of(each.state().solution, options, sheet, fonts, remarks);
             if (!more) return more;
+            if (options.even_pages && more->size() % 2 == 1) more->push_back(empty_page_after(more->back()));
             std::move(more->begin(), more->end(), std::back_inserter(*pages));
         }
         return pages;
@@ -225,6 +234,25 @@ Expected<Drawing> joined(const std::vector<Drawing>& drawings) {
     }
     return Drawing(Shared<const Drawing::State>(
         new Drawing::State{{}, std::move(pages), std::move(remarks), in_unicode_order(std::move(missing))}));
+}
+
+void FigureScales::add(const FigureScales& other) {
+    for (const auto& [name, scale] : other.of_figures) {
+        double& own = of_figures[name];
+        own = std::max(own, scale);
+    }
+    if (other.of_forces) of_forces = std::max(of_forces.value_or(0), *other.of_forces);
+}
+
+Expected<FigureScales> figure_scales(const Solved& solved, const DrawingOptions& options) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    const Solution& solution = solved.state().solution;
+    if (stands_for_joints(solution.mechanism)) return FigureScales{};
+    render::KeptScales kept = render::scales_of_solution(solution, *sheet, **fonts);
+    return FigureScales{std::move(kept.of_figures), kept.of_forces};
 }
 
 Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options) {

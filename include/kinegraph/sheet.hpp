@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +16,16 @@
 #include <kinegraph/solution.hpp>
 
 namespace kinegraph {
+
+/// Scales of the figures of a sheet, for other sheets that are to have the same ones, such as those of a class.
+struct FigureScales {
+    /// By name, as in figure_names(), in units of the figure (m, m/s, m/s², N) per millimetre of paper.
+    std::map<std::string, double> of_figures;
+    std::optional<double>
+        of_forces;  ///< the common scale of force polygons; none: there are none, or the file gives it
+    /// Takes for each figure the coarser of both scales, with which both have room.
+    void add(const FigureScales& other);
+};
 
 /// Options of a drawing.
 struct DrawingOptions {
@@ -35,13 +47,15 @@ struct DrawingOptions {
     Detail detail = Detail::full;                      ///< of a solution
     Sheet sheet = Sheet::solution;                     ///< what the pages are for
     bool steps = false;                                ///< one page for each sentence instead of the sheet
-    bool grid = false;             ///< a question gets blank space with pole and grid for its polygons
-    bool lever = false;            ///< adds Joukowsky's lever, where forces and velocities are known
-    std::string figure;            ///< only this figure, a name from figure_names(); empty: the whole sheet
-    std::string author;            ///< in the title block; empty: none
-    std::string date;              ///< in the title block; empty: none
-    std::string theme = "colour";  ///< "colour", "print" (black and grey) or "dark"; used if theme_file is empty
-    std::string theme_file;        ///< the text of a theme file (docs/themes.md)
+    bool grid = false;                   ///< a question gets blank space with pole and grid for its polygons
+    bool lever = false;                  ///< adds Joukowsky's lever, where forces and velocities are known
+    bool even_pages = false;             ///< an empty page follows an odd number of pages, for printing on both sides
+    std::optional<FigureScales> scales;  ///< of a sheet, kept as far as a page can hold the figures; none: its own
+    std::string figure;                  ///< only this figure, a name from figure_names(); empty: the whole sheet
+    std::string author;                  ///< in the title block; empty: none
+    std::string date;                    ///< in the title block; empty: none
+    std::string theme = "colour";        ///< "colour", "print" (black and grey) or "dark"; used if theme_file is empty
+    std::string theme_file;              ///< the text of a theme file (docs/themes.md)
 };
 
 /// How SVG and PDF store text.
@@ -84,6 +98,8 @@ private:
 /// and with Kind::output if the font is missing. Each thread keeps its fonts open for its next drawing; no set-up or
 /// clean-up is needed.
 Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options = {});
+/// The scales of the figures of a solution's sheet. Fails as draw() does.
+Expected<FigureScales> figure_scales(const Solved& solved, const DrawingOptions& options = {});
 /// Draws several solutions in one document, in the given order, for example positions of one mechanism.
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options = {});
 /// The pages of several drawings in one document, in the given order. Fails if there are none.

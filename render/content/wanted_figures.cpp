@@ -412,6 +412,7 @@ void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
     const bool centres = shows_centres();
     Wanted wanted = mechanism(!centres || s.instantaneous_motion ? "mechanism" : "centres", centres);
+    wanted.plain_name = "mechanism";
     wanted.draw = [this, centres](Spot room, const ScaleWish& wish) {
         if (context_.solution.instantaneous_motion) return instantaneous_motion_figure(context_, room.x, room.y, wish);
         return mechanism_figure(context_, room.x, room.y, centres, wish);

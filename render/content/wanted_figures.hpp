@@ -35,6 +35,7 @@ struct Wanted {
     using Draw = std::function<Figure(Spot room, const ScaleWish& wish)>;
 
     std::string name;                   ///< the name in the command line
+    std::string plain_name{};           ///< of the same figure without what it shows besides
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0: the size does not depend on it
     double subject = 0;                 ///< longer extent of what it is about, such as the links; 0: of all
     double rim_x = 20, rim_y = 14;      ///< of a figure that fills its room: space round its strokes, mm
@@ -54,6 +55,8 @@ struct Wanted {
     bool fills = false;           ///< drawn to fill its room; its scale is that of the vectors
     bool has_corner = false;      ///< equations may stand in a free corner of it
 
+    /// The name under which its scale is kept for other sheets, where it may stand without its centres.
+    const std::string& kept_as() const { return plain_name.empty() ? name : plain_name; }
     double extent() const { return std::max(extent_x, extent_y); }
     double extent_of_subject() const { return subject > 0 ? subject : extent(); }
     /// The figure in a room, at the scale in the file if it has room at that.

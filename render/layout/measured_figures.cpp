@@ -129,16 +129,16 @@ std::vector<double> MeasuredFigures::force_scales() const {
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
                                                                 bool crowded) const {
     if (wanted.empty) return {{1, {60, 30}, {}}};
-    if (wanted.fills) return crowded ? filling(wanted) : as_kept(wanted, filling(wanted));
+    if (wanted.fills) return as_kept(wanted, filling(wanted));
     if (wanted.extent() < nothing) return {{1, page(), {}}};
     if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
-    return crowded ? at_scales(wanted, true) : as_kept(wanted, at_scales(wanted, false));
+    return as_kept(wanted, at_scales(wanted, crowded));
 }
 
 /// Only with the scale that is kept. What was left out to save room stays so.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wanted, std::vector<Measure> all) const {
     if (!kept_ || wanted.asked) return all;
-    const auto scale = kept_->of_figures.find(wanted.name);
+    const auto scale = kept_->of_figures.find(wanted.kept_as());
     if (scale == kept_->of_figures.end()) return all;
     if (kept_->hold == KeptScales::Hold::not_coarser)
         std::erase_if(all, [&](const Measure& each) { return each.scale > scale->second * (1 + rounding); });

@@ -100,7 +100,7 @@ private:
         const std::vector<AskedScale>& asked = context_.solution.mechanism.scales;
         const bool is_asked =
             std::any_of(asked.begin(), asked.end(), [](const AskedScale& each) { return each.figure == "mechanism"; });
-        if (solved.kind != "mechanism" || is_asked) return std::nullopt;
+        if (solved.kind != "mechanism" || is_asked || options_.kept) return std::nullopt;
         const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
         if (std::max(extent.width(), extent.height()) >= readable * solved.scale) return std::nullopt;
         const double finer = choose_scale(extent.width(), extent.height(), std::max(room.width() - for_data, 1.0),
