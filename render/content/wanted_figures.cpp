@@ -81,10 +81,6 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     add_moving_axes();
     add_displacements();
     add_small();
-    // A brief solution prefers fewer pages to larger figures.
-    constexpr double smaller = 0.5;
-    if (detail_ == SolutionDetail::brief)
-        for (Wanted& each : list) each.least *= smaller;
 }
 
 bool WantedFigures::shows_centres() const {

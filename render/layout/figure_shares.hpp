@@ -14,7 +14,7 @@ namespace kinegraph::render {
 /// Space that a figure needs at a scale, its caption included (mm), and the score of that scale.
 struct FigureSize {
     double x = 0, y = 0, score = 0;
-    double scale = 0;         ///< at which the figure was to be drawn; names may have made it coarser
+    double scale = 0;         ///< units per mm; of a figure that fills its room: that of its strokes
     double wider = 0;         ///< additional width for equations in a corner
     std::size_t drawing = 0;  ///< index of the drawing among those of the figure
     bool operator==(const FigureSize&) const = default;

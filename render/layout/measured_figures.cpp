@@ -70,7 +70,9 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const Figure& drawing = drawings_[figure][free].figure;
     if (drawing.scale == any_scale) return;
     const double score = score_of(wanted, measure, drawing);
-    add_sizes(sizes, figure, free, score, measure.scale);
+    // What fills its room has the scale of its vectors; that of its strokes is not its own.
+    const auto scale_of = [&](const Figure& drawn) { return wanted.fills ? measure.scale : drawn.scale; };
+    add_sizes(sizes, figure, free, score, scale_of(drawing));
     // Enlarged details want room, and names that are in a key already find no place in less.
     if (!(measure.wish.finest > 0) || !drawing.details.empty() || drawing.has_key) return;
     constexpr double least_round = 8;  // mm, for names beside the strokes
@@ -83,7 +85,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
             drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
         const Figure& other = drawings_[figure][narrow].figure;
         if (other.scale == any_scale || other.box.width() > *column || other.has_key) return;
-        add_sizes(sizes, figure, narrow, score - price_of_narrow, measure.scale);
+        add_sizes(sizes, figure, narrow, score - price_of_narrow, scale_of(other));
         width = other.box.width();
     }
 }

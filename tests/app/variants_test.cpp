@@ -1,7 +1,10 @@
 // variants, and sweep --over, as a user meets them.
 #include <cmath>
 #include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "tests/support/command_line.hpp"
 
@@ -68,6 +71,43 @@ TEST_F(VariantsCommand, GivesTheSameBytesAndMerges) {
     EXPECT_EQ(one.at("001.json"), two.at("001.json"));
     EXPECT_TRUE(two.contains("questions.pdf") && two.contains("solutions.pdf"));
     EXPECT_FALSE(two.contains("001-question.pdf"));
+}
+
+/// The figures with a scale on a page, without details: "velocity 0.02".
+std::vector<std::string> scales_on(const std::string& svg) {
+    static const std::regex figure(
+        R"rx(<g class="figure" id="([^"]*)" data-figure="(?!detail)[^"]*" data-scale="([^"]*)")rx");
+    std::vector<std::string> scales;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), figure), end; at != end; ++at)
+        scales.push_back((*at)[1].str() + " " + (*at)[2].str());
+    return scales;
+}
+
+TEST_F(VariantsCommand, GivesAClassTheSameScalesAndWholeSheetsOfPaper) {
+    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "four_bar.json");
+    constexpr int copies = 8;
+    std::set<std::vector<std::string>> apart, together;
+    for (const bool as_class : {false, true}) {
+        const std::string folder = as_class ? "class" : "each";
+        const Outcome made = run("variants four_bar.json --count " + std::to_string(copies) + " -o " + folder +
+                                 " --format svg" + (as_class ? " --class" : ""));
+        ASSERT_EQ(made.status, 0) << made.err;
+        std::map<std::string, std::size_t> pages;
+        std::map<std::string, std::vector<std::string>> scales;
+        for (const auto& [name, text] : files_of(folder)) {
+            if (!name.ends_with(".svg")) continue;
+            const std::string sheet = name.substr(0, std::string("001-question").size());
+            ++pages[sheet];
+            for (const std::string& scale : scales_on(text)) scales[sheet].push_back(scale);
+        }
+        ASSERT_EQ(pages.size(), 2U * copies);
+        for (const auto& [sheet, own] : scales)
+            if (sheet.substr(4, 8) == "solution") (as_class ? together : apart).insert(own);
+        for (const auto& [sheet, count] : pages) EXPECT_TRUE(!as_class || count % 2 == 0) << sheet;
+    }
+    EXPECT_GT(apart.size(), 1U) << "each by itself has its own";
+    ASSERT_EQ(together.size(), 1U);
+    EXPECT_GE(together.begin()->size(), 3U);
 }
 
 TEST_F(VariantsCommand, SaysWhatIsWrongInOneLine) {

@@ -10,6 +10,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "render/backends/backends.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
 #include "tests/support/pages.hpp"
@@ -247,6 +248,40 @@ TEST(Sheet, ALongChainGoesOnOverItsPages) {
             expect_clean(lay_out(*solution, options, fonts()));
         }
 }
+
+/// The scale of each figure by its id, without details.
+std::map<std::string, double> scales_of(const Solution& solution, Language language, SolutionDetail detail) {
+    SheetOptions options;
+    options.language = language;
+    options.detail = detail;
+    std::map<std::string, double> scales;
+    for (const Figure& figure : draw_solution(solution, options, fonts()).figures)
+        if (figure.has_scale) scales[figure.id] = figure.scale;
+    return scales;
+}
+
+class SameProblem : public testing::TestWithParam<std::string> {};
+
+TEST_P(SameProblem, HasTheSameScalesInEveryLanguageAndNoCoarserOnesInBrief) {
+    const Solution& solution = example(GetParam());
+    const auto scales = scales_of(solution, Language::en, SolutionDetail::full);
+    ASSERT_GE(scales.size(), 2U);
+    for (const Language language : {Language::it, Language::fr, Language::de, Language::es})
+        EXPECT_EQ(scales_of(solution, language, SolutionDetail::full), scales);
+    const auto brief = scales_of(solution, Language::en, SolutionDetail::brief);
+    std::size_t compared = 0;
+    for (const auto& [id, scale] : brief)
+        if (const auto full = scales.find(id); full != scales.end()) {
+            EXPECT_LE(scale, full->second * (1 + 1e-9)) << id;
+            ++compared;
+        }
+    EXPECT_GE(compared, 2U);
+    EXPECT_EQ(scales_of(solution, Language::it, SolutionDetail::brief), brief);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sheet, SameProblem,
+                         testing::Values("four_bar", "exam_2001", "engine_inertia_gas", "three_hinged_arch",
+                                         "elliptic_trammel", "watt_six_bar"));
 
 double scale_of_group(const Figure& figure, const std::string& id) {
     for (const Mark& mark : figure.marks)
