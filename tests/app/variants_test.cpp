@@ -84,12 +84,12 @@ std::vector<std::string> scales_on(const std::string& svg) {
 }
 
 TEST_F(VariantsCommand, GivesAClassTheSameScalesAndWholeSheetsOfPaper) {
-    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "four_bar.json");
+    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "class.json");
     constexpr int copies = 8;
     std::set<std::vector<std::string>> apart, together;
     for (const bool as_class : {false, true}) {
         const std::string folder = as_class ? "class" : "each";
-        const Outcome made = run("variants four_bar.json --count " + std::to_string(copies) + " -o " + folder +
+        const Outcome made = run("variants class.json --count " + std::to_string(copies) + " -o " + folder +
                                  " --format svg" + (as_class ? " --class" : ""));
         ASSERT_EQ(made.status, 0) << made.err;
         std::map<std::string, std::size_t> pages;

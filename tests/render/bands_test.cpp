@@ -199,7 +199,8 @@ TEST(Bands, UseNoForceBeforeTheSentenceThatFindsIt) {
 /// How full pages are is a matter of taste: reported, and bounded only where something has gone wrong.
 TEST(Bands, LeaveNoPageNearlyEmpty) {
     const SheetFormat format = format_of(Paper::a4, Orientation::landscape);
-    constexpr double least = 0.35, most_pages = 1.1 * 142;  // 142 of all examples in November 2026
+    // A mechanism that fills its page by itself, with its bodies and centres beside it, covers a third of it.
+    constexpr double least = 0.3, most_pages = 1.1 * 142;  // 142 of all examples in November 2026
     double sum = 0;
     std::size_t filled = 0, pages_in_all = 0;
     for (const std::string& name : example_names()) {

@@ -419,7 +419,7 @@ TEST(Scales, NameTheDetailsThatAnswersAreReadIn) {
 
 TEST(Scales, OfATrussSayOfWhichDiagramTheyAre) {
     for (const Language language : {Language::en, Language::it}) {
-        const std::string scales = scales_in(example("truss_roof_wind"), language);
+        const std::string scales = scales_in(example("truss_simple"), language);
         EXPECT_TRUE(has(scales, word(lang::sheet::cremona, language) + ": ")) << scales;
         EXPECT_TRUE(has(scales, word(lang::sheet::force_polygon, language) + ": ")) << scales;
         EXPECT_FALSE(has(scales, word(lang::sheet::sought_forces_scale, language) + ": ")) << scales;
