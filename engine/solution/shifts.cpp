@@ -5,8 +5,9 @@ namespace kinegraph {
 namespace {
 
 /// The couple of a load or a reaction, with its sign on one of these bodies.
-std::optional<Exact> couple_on(const Solution& solution, const std::vector<BodyIndex>& bodies, const Symbol& symbol) {
-    for (const FreeBody& body : solution.free_bodies)
+std::optional<Exact> couple_on(const std::vector<FreeBody>& free, const std::vector<BodyIndex>& bodies,
+                               const Symbol& symbol) {
+    for (const FreeBody& body : free)
         for (const BodyIndex each : bodies)
             if (body.body == each)
                 for (const AppliedForce& applied : body.forces) {
@@ -19,11 +20,12 @@ std::optional<Exact> couple_on(const Solution& solution, const std::vector<BodyI
 
 }  // namespace
 
-std::optional<Vector> shift_of(const Solution& solution, StatementIndex statement, const AppliedForce& sum) {
-    const Statement& said = solution.protocol.statements[at_index(statement)];
+std::optional<Vector> shift_of(const Protocol& protocol, const std::vector<FreeBody>& bodies, StatementIndex statement,
+                               const AppliedForce& sum) {
+    const Statement& said = protocol.statements[at_index(statement)];
     if (said.message.sentence != lang::sentences::inertia_moved || sum.force.is_zero()) return std::nullopt;
     if (std::get<Symbol>(said.message.arguments[1]) != sum.symbol) return std::nullopt;
-    const auto couple = couple_on(solution, said.bodies, std::get<Symbol>(said.message.arguments[2]));
+    const auto couple = couple_on(bodies, said.bodies, std::get<Symbol>(said.message.arguments[2]));
     if (!couple) return std::nullopt;
     // The moment of F at r is M: r = −(z ∧ F) M/F².
     const Exact share = *couple / dot(sum.force, sum.force);

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 
 /// The displacement of a sum's line of action by the statement, perpendicular to it, m. None: the statement displaces
-/// another force, or none.
-std::optional<Vector> shift_of(const Solution& solution, StatementIndex statement, const AppliedForce& sum);
+/// another force, or none. `bodies`: cut free under all loads, or under those of one body alone.
+std::optional<Vector> shift_of(const Protocol& protocol, const std::vector<FreeBody>& bodies, StatementIndex statement,
+                               const AppliedForce& sum);
 
 }  // namespace kinegraph

@@ -15,7 +15,7 @@
 #include "render/equations/chapters.hpp"
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
@@ -119,9 +119,9 @@ private:
             std::vector<SharedBlock> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
-            const DrawingContext& context = wanted_.context_at(StatementIndex(i));
-            for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
-                if (Block block = force_equation_block(context, *body, true);
+            const LoadCase loads(solution_, part_of(solution_, StatementIndex(i)));
+            for (const FreeBody* body : closed_by(loads, StatementIndex(i)))
+                if (Block block = force_equation_block(context_, loads, *body, true);
                     block.width > 0 && block.width <= measure_ - indent)
                     equations.emplace_back(std::move(block));
             const Paragraph& sentence = known->second.sentence;
@@ -513,8 +513,8 @@ void Bands::collect_forces() {
     if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
-        if (const auto part = part_of(solution_, StatementIndex(i))) {
-            add_step(list[parts[*part]], i);
+        if (const int part = part_of(solution_, StatementIndex(i)); part != all_loads) {
+            add_step(list[parts[at_index(part)]], i);
             continue;
         }
         if (solution_.superposition && solution_.superposition->statement == StatementIndex(i)) {

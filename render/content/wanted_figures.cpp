@@ -8,7 +8,7 @@
 #include "lang/keys/sentences.hpp"
 #include "render/figures/truss_figures.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
@@ -52,12 +52,12 @@ bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
 }
 
 /// The polygons of three or more forces. Two equal and opposite forces have no polygon; the steps say so.
-std::size_t polygons_of(const Solution& solution) {
-    const auto& polygons = solution.protocol.polygons;
-    const auto count = std::count_if(
-        solution.free_bodies.begin(), solution.free_bodies.end(),
-        [&](const FreeBody& body) { return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2; });
-    return static_cast<std::size_t>(count) + solution.taken_together.size();
+std::size_t polygons_of(const LoadCase& loads) {
+    const auto& polygons = loads.solution().protocol.polygons;
+    const auto count = std::count_if(loads.bodies().begin(), loads.bodies().end(), [&](const FreeBody& body) {
+        return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2;
+    });
+    return static_cast<std::size_t>(count) + loads.together().size();
 }
 
 /// Whether an input force or couple was found by virtual work, for which the lever is the construction.
@@ -179,27 +179,25 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
 /// The loads of each body with their lines and polygons; then the sums.
 void WantedFigures::add_superposition() {
     const Solution& s = context_.solution;
-    for (std::size_t i = 0; i < s.superposition->parts.size(); ++i) {
-        alone_.push_back(under_loads_alone(s, i));
-        const DrawingContext& alone = alone_contexts_.emplace_back(
-            DrawingContext{alone_.back(), context_.theme, context_.fonts, context_.language, context_.dimensions});
-        const std::string load = name_of(s.mechanism, s.superposition->parts[i]);
-        if (detail_ == SolutionDetail::full || has_meets(alone.solution, false)) {
+    for (int part = 0; part < parts_of(s); ++part) {
+        const LoadCase alone(s, part);
+        const std::string& load = alone.load();
+        if (detail_ == SolutionDetail::full || has_meets(alone, false)) {
             Wanted lines = mechanism("lines-load-" + load, false);
             lines.asked.reset();
-            lines.draw = [&alone, load](Spot room, const ScaleWish& wish) {
-                return mechanism_with_forces(alone, room.x, room.y, load, wish);
+            lines.draw = [this, part](Spot room, const ScaleWish& wish) {
+                return mechanism_with_forces(context_, room.x, room.y, part, wish);
             };
             add(std::move(lines));
         }
         if (detail_ == SolutionDetail::full)
-            for (std::size_t b = 0; b < alone.solution.free_bodies.size(); ++b)
-                if (has_force_polygon(alone.solution, alone.solution.free_bodies[b])) add_free_body(alone, b, load);
-        const std::size_t count = polygons_of(alone.solution);
-        if (count == 0) continue;
-        Wanted& polygons = add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
-                                              [&alone, load](Spot room, const ScaleWish& wish) {
-                                                  Figure figure = force_polygons_figure(alone, room.x, room.y, wish);
+            for (std::size_t b = 0; b < alone.bodies().size(); ++b)
+                if (has_force_polygon(alone, alone.bodies()[b])) add_free_body(alone, b);
+        if (polygons_of(alone) == 0) continue;
+        Wanted& polygons = add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone),
+                                              [this, part, load](Spot room, const ScaleWish& wish) {
+                                                  Figure figure = force_polygons_figure(context_, room.x, room.y, wish,
+                                                                                        true, -1, part);
                                                   figure.id = "forces-load-" + load;
                                                   return figure;
                                               });
@@ -209,10 +207,6 @@ void WantedFigures::add_superposition() {
     add_force_polygons("forces", "sums", extent_of_partial_sums(s), [this](Spot room, const ScaleWish& wish) {
         return partial_sums_figure(context_, room.x, room.y, wish);
     }).is_row = true;
-}
-const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
-    const auto part = part_of(context_.solution, statement);
-    return part && *part < alone_contexts_.size() ? alone_contexts_[*part] : context_;
 }
 
 void WantedFigures::add_truss() {
@@ -240,7 +234,7 @@ void WantedFigures::add_truss() {
 void WantedFigures::add_lines_of_action() {
     Wanted wanted = mechanism("lines-of-action", false);
     wanted.draw = [this](Spot room, const ScaleWish& wish) {
-        return mechanism_with_forces(context_, room.x, room.y, "", wish);
+        return mechanism_with_forces(context_, room.x, room.y, all_loads, wish);
     };
     add(std::move(wanted));
 }
@@ -288,15 +282,14 @@ void WantedFigures::add_free_bodies() {
         };
         return rank(a) < rank(b);
     });
-    for (const std::size_t i : order) add_free_body(context_, i, "");
+    for (const std::size_t i : order) add_free_body(s, i);
 }
 
-/// `load`: the load that acts alone in the context; empty: all loads.
-void WantedFigures::add_free_body(const DrawingContext& context, std::size_t index, const std::string& load) {
-    const Solution& s = context.solution;
+void WantedFigures::add_free_body(const LoadCase& loads, std::size_t index) {
+    const FreeBody& free = loads.bodies()[index];
     Wanted body;
-    body.name = name_of(s, s.free_bodies[index]) + (load.empty() ? "" : "-load-" + load);
-    const Box box = extent_of_free_body(s, index);
+    body.name = name_of(loads.solution(), free) + (loads.is_alone() ? "-load-" + loads.load() : "");
+    const Box box = extent_of_free_body(loads, index);
     body.extent_x = std::max(box.width(), 0.3 * box.height());
     body.extent_y = std::max(box.height(), 0.3 * box.width());
     // A minimum for letters; the true size is known after drawing.
@@ -308,9 +301,9 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     body.weight = 0.6;
     // A longer link with two forces on one line shows no more: the space is better used for polygons.
     constexpr double enough_for_two_forces = 50;
-    if (body.extent() > 0 && !has_force_polygon(s, s.free_bodies[index])) body.enough = enough_for_two_forces;
-    body.draw = [this, &context, index, load](Spot room, const ScaleWish&) {
-        return free_body_figure(context, index, room.x, room.y, detail_ == SolutionDetail::full, load);
+    if (body.extent() > 0 && !has_force_polygon(loads, free)) body.enough = enough_for_two_forces;
+    body.draw = [this, index, part = loads.part()](Spot room, const ScaleWish&) {
+        return free_body_figure(context_, index, room.x, room.y, detail_ == SolutionDetail::full, part);
     };
     add(std::move(body));
 }

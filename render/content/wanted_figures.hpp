@@ -76,8 +76,6 @@ public:
 
     /// Index into list; empty if no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
-    /// The solution that a statement belongs to: with all loads, or with those of one body alone.
-    const DrawingContext& context_at(StatementIndex statement) const;
     /// Scenes of the polygons of motion, in order.
     const std::deque<PolygonScene>& scenes() const { return scenes_; }
     /// Whether the instant centres are shown.
@@ -93,7 +91,7 @@ private:
     void add_lines_of_action();
     Wanted& add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, Wanted::Draw draw);
     void add_free_bodies();
-    void add_free_body(const DrawingContext& context, std::size_t index, const std::string& load);
+    void add_free_body(const LoadCase& loads, std::size_t index);
     void add_polygons_of_bodies(const DrawingContext& context);
     void add_superposition();
     void keep_forces_readable();
@@ -109,8 +107,6 @@ private:
     const DrawingContext& context_;
     SolutionDetail detail_;
     std::deque<PolygonScene> scenes_;  // of the polygons of motion; a deque, because references to them are kept
-    std::deque<Solution> alone_;       // by part of the superposition
-    std::deque<DrawingContext> alone_contexts_;
 };
 
 }  // namespace kinegraph::render

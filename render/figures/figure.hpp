@@ -10,6 +10,7 @@
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/scene/drawing_context.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/scene/polygon_scene.hpp"
 
 namespace kinegraph::render {
@@ -79,37 +80,36 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 
 // Forces. Triangles and closed polygon share one scale, by the wish that they are drawn with.
 
-bool has_force_polygons(const Solution& solution);
+bool has_force_polygons(const LoadCase& loads);
 /// The extent of the force polygons of the bodies side by side, in the unit of force of the file.
-Box extent_of_forces(const Solution& solution);
+Box extent_of_forces(const LoadCase& loads);
 /// The extent of a free body with its points of application and near points of concurrency, m.
-Box extent_of_free_body(const Solution& solution, std::size_t index);
+Box extent_of_free_body(const LoadCase& loads, std::size_t index);
 /// The mechanism with lines of action, points of concurrency, and the sense of loads, input efforts and ground
-/// reactions. `load`: the body whose loads act alone in the context's solution (under_loads_alone); empty: all loads
-/// act.
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "",
+/// reactions. `part`: of the superposition, whose loads act alone.
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, int part = all_loads,
                              const ScaleWish& wish = {});
 /// Whether it shows a point of concurrency. `of_several`: count only those that no free body shows, because their lines
 /// belong to several bodies.
-bool has_meets(const Solution& solution, bool of_several);
+bool has_meets(const LoadCase& loads, bool of_several);
 /// The force polygons of the bodies and of bodies taken together, at one scale; each is a group of kind "forces", id
 /// "forces-<body>". `tables`: with a table of the known and unknown data of each force below, if there is space.
-/// `only`: index of the single polygon to draw; −1: all.
+/// `only`: index of the single polygon to draw; −1: all. `part`: as for mechanism_with_forces().
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {},
-                             bool tables = true, int only = -1);
+                             bool tables = true, int only = -1, int part = all_loads);
 /// For a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 Box extent_of_partial_sums(const Solution& solution);
 /// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
-bool has_force_polygon(const Solution& solution, const FreeBody& body);
+bool has_force_polygon(const LoadCase& loads, const FreeBody& body);
 /// The closed polygon: the polygons joined, external forces solid, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              const ScaleWish& wish = {});
-/// A free body (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
-/// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `load`: as for mechanism_with_forces(); then
+/// A free body (index into those of the load case): kind "body", id "body-<name>"; its scale is that of its forces.
+/// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `part`: as for mechanism_with_forces(); then
 /// the id ends in "-load-<load>".
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
-                        bool at_pairs = true, const std::string& load = "");
+                        bool at_pairs = true, int part = all_loads);
 
 // Joukowsky's lever: forces at the tips of the velocities turned by a quarter turn. Their moments about the pole are
 // the powers with opposite sign.

@@ -15,6 +15,7 @@
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/tables/force_tables.hpp"
 
 namespace kinegraph::render {
@@ -42,13 +43,12 @@ int lines_through(const FreeBody& body, Spot place, double near) {
                             std::count_if(body.sums.begin(), body.sums.end(), passes));
 }
 /// The same for the resultants of bodies taken together.
-bool passes_sum_of_several(const Solution& solution, Spot place) {
-    return std::any_of(solution.taken_together.begin(), solution.taken_together.end(),
-                       [&](const TakenTogether& together) {
-                           FreeBody as_one;
-                           as_one.sums = together.sums;
-                           return lines_through(as_one, place, near_a_line(solution)) > 0;
-                       });
+bool passes_sum_of_several(const LoadCase& loads, Spot place) {
+    return std::any_of(loads.together().begin(), loads.together().end(), [&](const TakenTogether& together) {
+        FreeBody as_one;
+        as_one.sums = together.sums;
+        return lines_through(as_one, place, near_a_line(loads.solution())) > 0;
+    });
 }
 using Meets = std::vector<FreeBody::Meet>;
 
@@ -68,17 +68,16 @@ Meets shown_meets(const Solution& solution, const FreeBody& body) {
 }
 
 /// Those of all bodies, without repetition. A point of bodies taken together has lines on several bodies.
-Meets all_shown_meets(const Solution& solution) {
+Meets all_shown_meets(const LoadCase& loads) {
     Meets shown;
-    for (const FreeBody& body : solution.free_bodies)
+    for (const FreeBody& body : loads.bodies())
         for (const auto& meet : body.meets) {
             const bool listed =
                 std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.name == meet.name; });
-            const bool met =
-                std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
-                    return lines_through(other, paper_spot(meet.place), near_a_line(solution)) >= 2;
-                });
-            if (!listed && (met || passes_sum_of_several(solution, paper_spot(meet.place)))) shown.push_back(meet);
+            const bool met = std::any_of(loads.bodies().begin(), loads.bodies().end(), [&](const FreeBody& other) {
+                return lines_through(other, paper_spot(meet.place), near_a_line(loads.solution())) >= 2;
+            });
+            if (!listed && (met || passes_sum_of_several(loads, paper_spot(meet.place)))) shown.push_back(meet);
         }
     return shown;
 }
@@ -397,13 +396,13 @@ struct ForceScale {
 
 class FreeBodyDrawing {
 public:
-    FreeBodyDrawing(Sketch& sketch, const FreeBody& body, const ForceScale& scale, std::string load)
+    FreeBodyDrawing(Sketch& sketch, const LoadCase& loads, const FreeBody& body, const ForceScale& scale)
         : sketch_(sketch),
           body_(body),
           scale_(scale),
           unit_(sketch.mechanism.units.force),
           colour_(sketch.theme.colour_of(body.body)),
-          load_(std::move(load)),
+          load_(loads.load()),
           meets_(shown_meets(sketch.subject.solution, body)),
           lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3), load_) {}
 
@@ -471,9 +470,10 @@ private:
         draw_arrow_of(applied, held, arrow, value, to_scale);
         add_line_of(applied, held);
         if (applied.is_component) return;
-        if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied);
-            pair != nullptr && scale_.at_pairs)
-            draw_at_pair(applied, *pair, arrow);
+        // The forces at the pairs are those of all loads.
+        if (scale_.at_pairs && load_.empty())
+            if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied))
+                draw_at_pair(applied, *pair, arrow);
         if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
 
@@ -750,10 +750,10 @@ bool acts_from_outside(const AppliedForce& applied, const TakenTogether& togethe
 
 /// For a resultant displaced by a couple: its line before (thin), the point on it where the lines of its components
 /// meet, and the displacement, if it is visible.
-void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
-    const Solution& solution = sketch.subject.solution;
-    for (const StatementIndex statement : indices_of(solution.protocol.statements)) {
-        const auto shift = shift_of(solution, statement, sum);
+void draw_shift(Sketch& sketch, const LoadCase& loads, const AppliedForce& sum, const Box& view) {
+    const Protocol& protocol = loads.solution().protocol;
+    for (const StatementIndex statement : indices_of(protocol.statements)) {
+        const auto shift = shift_of(protocol, loads.bodies(), statement, sum);
         if (!shift) continue;
         const Spot to = sketch.spot(sum.at), from = sketch.spot(sum.at - *shift), along = paper_direction(sum.force);
         constexpr double least = 2;
@@ -777,10 +777,11 @@ void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
     }
 }
 
-void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, const std::string& load) {
-    const Solution& solution = sketch.subject.solution;
+void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets, const Box& view) {
+    const Solution& solution = loads.solution();
+    const std::string& load = loads.load();
     ActionLines lines(sketch, view, load);
-    for (const FreeBody& body : solution.free_bodies)
+    for (const FreeBody& body : loads.bodies())
         for (const AppliedForce& applied : body.forces) {
             if (applied.force.is_zero()) continue;
             ActionLine action = lines.line_of(applied, shown_meets(solution, body), force_binding(load, body, applied));
@@ -790,17 +791,17 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
         if (ActionLine action = lines.line_of(sum, meets, std::move(held)); action.joins())
             lines.add(std::move(action));
     };
-    for (const FreeBody& body : solution.free_bodies)
+    for (const FreeBody& body : loads.bodies())
         for (const AppliedForce& sum : body.sums) add_sum(sum, sum_binding(load, body, sum));
-    for (std::size_t i = 0; i < solution.taken_together.size(); ++i) {
-        const TakenTogether& together = solution.taken_together[i];
+    for (std::size_t i = 0; i < loads.together().size(); ++i) {
+        const TakenTogether& together = loads.together()[i];
         for (const AppliedForce& sum : together.sums) {
             add_sum(sum, sum_binding(load, i, sum));
-            draw_shift(sketch, sum, view);
+            draw_shift(sketch, loads, sum, view);
         }
         if (!together.funicular) continue;
         draw_strings(sketch, *together.funicular, load);
-        for (const FreeBody& body : solution.free_bodies)
+        for (const FreeBody& body : loads.bodies())
             for (const AppliedForce& applied : body.forces)
                 if (!applied.force.is_zero() && acts_from_outside(applied, together))
                     lines.add_to_strings(applied, force_binding(load, body, applied), shown_meets(solution, body),
@@ -821,15 +822,17 @@ RichText caption_of_lines(const DrawingContext& context, const std::string& load
 
 }  // namespace
 
-Box extent_of_free_body(const Solution& solution, std::size_t index) {
-    return extent_of_body(Subject(solution), solution.free_bodies[index]).all;
+Box extent_of_free_body(const LoadCase& loads, std::size_t index) {
+    return extent_of_body(Subject(loads.solution()), loads.bodies()[index]).all;
 }
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
-                        const std::string& load) {
+                        int part) {
     const Solution& solution = context.solution;
+    const LoadCase loads(solution, part);
+    const std::string& load = loads.load();
     const Mechanism& mechanism = solution.mechanism;
-    const FreeBody& body = solution.free_bodies[index];
+    const FreeBody& body = loads.bodies()[index];
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
     const std::string id =
         legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
@@ -863,7 +866,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {
                    Sketch sketch(subject, context, trial.scale, id + "-");
-                   FreeBodyDrawing(sketch, body, forces, load).draw();
+                   FreeBodyDrawing(sketch, loads, body, forces).draw();
                    Figure figure = sketch.finish("body", id, unit.symbol);
                    figure.scale = forces.per_millimetre;
                    figure.caption = caption_of(context, body, name, load);
@@ -872,28 +875,30 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                });
 }
 
-bool has_meets(const Solution& solution, bool of_several) {
-    const Meets meets = all_shown_meets(solution);
+bool has_meets(const LoadCase& loads, bool of_several) {
+    const Meets meets = all_shown_meets(loads);
     return std::any_of(meets.begin(), meets.end(), [&](const FreeBody::Meet& meet) {
         const auto shows = [&](const FreeBody& body) {
-            const Meets own = shown_meets(solution, body);
+            const Meets own = shown_meets(loads.solution(), body);
             return std::any_of(own.begin(), own.end(), [&](const auto& each) { return each.name == meet.name; });
         };
-        return !of_several || std::none_of(solution.free_bodies.begin(), solution.free_bodies.end(), shows);
+        return !of_several || std::none_of(loads.bodies().begin(), loads.bodies().end(), shows);
     });
 }
 
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load,
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, int part,
                              const ScaleWish& wish) {
     const Solution& solution = context.solution;
+    const LoadCase loads(solution, part);
+    const std::string& load = loads.load();
     const Subject subject(solution);
-    const Meets meets = all_shown_meets(solution);
+    const Meets meets = all_shown_meets(loads);
     // Points of concurrency are the purpose of the figure: the mechanism may become smaller for them.
     const Box near = grown(subject.box, 0.7 * subject.size());
     Box extent = subject.box;
     for (const FreeBody::Meet& meet : meets)
         if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
-    for (const TakenTogether& together : solution.taken_together)
+    for (const TakenTogether& together : loads.together())
         if (together.funicular) include_strings(extent, *together.funicular, near);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0),
                                       std::max(room_y - 24, 10.0), std::nullopt);
@@ -910,19 +915,19 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         clutter.add(sketch.bodies);
         clutter.add(sketch.ground);
         const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
-        draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4), load);
+        draw_action_lines(sketch, loads, meets, grown(drawn, line_overshoot + 4));
         std::vector<Bar> standing;
-        for (const FreeBody& body : solution.free_bodies)
+        for (const FreeBody& body : loads.bodies())
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
                                force_binding(load, body, applied), standing);
-        for (std::size_t i = 0; i < solution.taken_together.size(); ++i)
-            for (const AppliedForce& sum : solution.taken_together[i].sums)
+        for (std::size_t i = 0; i < loads.together().size(); ++i)
+            for (const AppliedForce& sum : loads.together()[i].sums)
                 draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement,
                            sum_binding(load, i, sum), standing);
         std::vector<Bar> arms;
-        for (const FreeBody& body : solution.free_bodies)
+        for (const FreeBody& body : loads.bodies())
             for (std::size_t i = 0; i < body.arms.size(); ++i)
                 if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
         Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");

@@ -9,7 +9,7 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/force_tables.hpp"
 
@@ -29,14 +29,14 @@ bool is_truss_whole(const Solution& solution) { return solution.truss && solutio
 
 class ForcePolygon {
 public:
-    ForcePolygon(const DrawingContext& context, int polygon)
+    ForcePolygon(const DrawingContext& context, const LoadCase& loads, int polygon)
         : context_(context),
           polygon_(polygon),
           scene_(polygon_scene(context.solution, polygon)),
           along_{scene_.along.x, -scene_.along.y} {
-        for (const FreeBody& body : context.solution.free_bodies)
+        for (const FreeBody& body : loads.bodies())
             if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
-        for (const TakenTogether& together : context.solution.taken_together)
+        for (const TakenTogether& together : loads.together())
             if (together.polygon == polygon) sums_ = together.sums, funicular_ = together.funicular;
         // ratio of width to length below which sides would overlap
         constexpr double thin = 0.035;
@@ -218,16 +218,17 @@ void set_scale_bar(const DrawingContext& context, Figure& figure, double target,
     figure.box = box_of(figure.marks);
 }
 
-std::vector<int> shown_polygons(const Solution& solution) {
+std::vector<int> shown_polygons(const LoadCase& loads) {
     std::vector<int> all, several;
-    for (const FreeBody& body : solution.free_bodies) {
+    for (const FreeBody& body : loads.bodies()) {
         if (body.polygon < 0) continue;
         all.push_back(body.polygon);
         // Two equal and opposite forces have no polygon; the steps say so.
-        if (solution.protocol.polygons[at_index(body.polygon)].vectors.size() > 2) several.push_back(body.polygon);
+        if (loads.solution().protocol.polygons[at_index(body.polygon)].vectors.size() > 2)
+            several.push_back(body.polygon);
     }
     std::vector<int>& shown = several.empty() ? all : several;
-    for (const TakenTogether& together : solution.taken_together) shown.push_back(together.polygon);
+    for (const TakenTogether& together : loads.together()) shown.push_back(together.polygon);
     return shown;
 }
 std::vector<int> polygons_of_sums(const Solution& solution) {
@@ -236,15 +237,15 @@ std::vector<int> polygons_of_sums(const Solution& solution) {
         for (const Superposition::Sum& sum : solution.superposition->sums) polygons.push_back(sum.polygon);
     return polygons;
 }
-Box extent_of_polygons(const Solution& solution, const std::vector<int>& polygons) {
+Box extent_of_polygons(const LoadCase& loads, const std::vector<int>& polygons) {
     Box all;
     for (const int p : polygons) {
-        const PolygonScene scene = polygon_scene(solution, p);
+        const PolygonScene scene = polygon_scene(loads.solution(), p);
         all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
         // The pole of the rays is as far to the side as the forces are long.
         const auto has_rays = [p](const auto& each) { return each.polygon == p && each.funicular; };
-        if (std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), has_rays) ||
-            std::any_of(solution.taken_together.begin(), solution.taken_together.end(), has_rays))
+        if (std::any_of(loads.bodies().begin(), loads.bodies().end(), has_rays) ||
+            std::any_of(loads.together().begin(), loads.together().end(), has_rays))
             all.max.x += std::max(scene.width(), scene.height());
     }
     return all;
@@ -254,11 +255,12 @@ Box extent_of_polygons(const Solution& solution, const std::vector<int>& polygon
 class Rows {
 public:
     /// `id`: of the figure.
-    Rows(const DrawingContext& context, const std::vector<int>& polygons, bool with_tables, std::string id)
+    Rows(const DrawingContext& context, const LoadCase& loads, const std::vector<int>& polygons, bool with_tables,
+         std::string id)
         : context_(context), id_(std::move(id)) {
         for (const int polygon : polygons) {
-            Item item{polygon, ForcePolygon(context, polygon), {}, {}, none, none};
-            name(item, with_tables);
+            Item item{polygon, ForcePolygon(context, loads, polygon), {}, {}, none, none};
+            name(item, loads, with_tables);
             items_.push_back(std::move(item));
         }
     }
@@ -305,19 +307,19 @@ private:
         StatementIndex statement = none;
     };
     /// Named by a body or a pin, by bodies taken together, or by the force whose parts are added.
-    void name(Item& item, bool with_tables) const {
+    void name(Item& item, const LoadCase& loads, bool with_tables) const {
         const Solution& solution = context_.solution;
         const auto titled = [&](Key what, const std::string& name) {
             return one_piece(capital(word(what, context_.language) + " " + name), Face::bold);
         };
-        for (const FreeBody& body : solution.free_bodies) {
+        for (const FreeBody& body : loads.bodies()) {
             if (body.polygon != item.polygon) continue;
             item.title = titled(body.body != none ? lang::sheet::body : lang::sheet::pin, body_name(body));
             item.body = body.body;
             item.statement = body.statement;
-            if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context_, body, false);
+            if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context_, loads, body, false);
         }
-        for (const TakenTogether& together : solution.taken_together)
+        for (const TakenTogether& together : loads.together())
             if (together.polygon == item.polygon) {
                 item.title = is_truss_whole(solution)
                                  ? one_piece(capital(word(lang::sheet::truss_whole, context_.language)), Face::bold)
@@ -523,30 +525,32 @@ Figure fitted_rows(const Rows& with_tables, Spot room, const ScaleWish& wish) {
 
 }  // namespace
 
-bool has_force_polygons(const Solution& solution) { return !shown_polygons(solution).empty(); }
-bool has_force_polygon(const Solution& solution, const FreeBody& body) {
-    const std::vector<int> shown = shown_polygons(solution);
+bool has_force_polygons(const LoadCase& loads) { return !shown_polygons(loads).empty(); }
+bool has_force_polygon(const LoadCase& loads, const FreeBody& body) {
+    const std::vector<int> shown = shown_polygons(loads);
     return body.polygon >= 0 && std::find(shown.begin(), shown.end(), body.polygon) != shown.end();
 }
 
-Box extent_of_forces(const Solution& solution) { return extent_of_polygons(solution, shown_polygons(solution)); }
+Box extent_of_forces(const LoadCase& loads) { return extent_of_polygons(loads, shown_polygons(loads)); }
 Box extent_of_partial_sums(const Solution& solution) {
     return extent_of_polygons(solution, polygons_of_sums(solution));
 }
 
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish,
-                             bool tables, int only) {
-    const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(context.solution);
-    return fitted_rows(Rows(context, polygons, tables, "forces"), {room_x, room_y}, wish);
+                             bool tables, int only, int part) {
+    const LoadCase loads(context.solution, part);
+    const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(loads);
+    return fitted_rows(Rows(context, loads, polygons, tables, "forces"), {room_x, room_y}, wish);
 }
 
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
-    return fitted_rows(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, wish);
+    return fitted_rows(Rows(context, context.solution, polygons_of_sums(context.solution), false, "sums"),
+                       {room_x, room_y}, wish);
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              const ScaleWish& wish) {
-    const ForcePolygon drawing(context, polygon);
+    const ForcePolygon drawing(context, context.solution, polygon);
     const auto fits = [&](const Figure& figure) {
         return figure.box.width() <= room_x && figure.box.height() <= room_y;
     };

@@ -12,6 +12,7 @@
 #include "engine/number/assert.hpp"
 #include "render/ink/spot.hpp"
 #include "render/scene/drawn_by.hpp"
+#include "render/scene/load_case.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -153,10 +154,13 @@ private:
     StatementIndex statement_of(const DrawnVector& vector) const {
         if (of_motion()) return vector.statement;
         if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, vector.quantity);
-        for (const FreeBody& body : solution_.free_bodies)
-            if (body.polygon == index_) return body.statement;
-        for (const TakenTogether& together : solution_.taken_together)
-            if (together.polygon == index_) return together.statement;
+        for (int part = all_loads; part < parts_of(solution_); ++part) {
+            const LoadCase loads(solution_, part);
+            for (const FreeBody& body : loads.bodies())
+                if (body.polygon == index_) return body.statement;
+            for (const TakenTogether& together : loads.together())
+                if (together.polygon == index_) return together.statement;
+        }
         if (solution_.superposition)
             for (const Superposition::Sum& sum : solution_.superposition->sums)
                 if (sum.polygon == index_) return solution_.superposition->statement;

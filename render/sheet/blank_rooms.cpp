@@ -12,7 +12,7 @@
 #include "render/figures/caption.hpp"
 #include "render/layout/page_plan.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 
 namespace kinegraph::render {
 namespace {

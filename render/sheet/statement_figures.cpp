@@ -6,7 +6,7 @@
 
 #include "lang/keys/sentences.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/text/words.hpp"
 
@@ -65,11 +65,11 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
 }
 
 std::string StatementFigures::figure_of_forces(StatementIndex statement) const {
-    const Solution& solution = wanted_.context_at(statement).solution;
     const std::string load = load_at(statement);
     if (solution_.superposition && solution_.superposition->statement == statement)
         return is_wanted("sums") ? "sums" : "forces";
-    if (is_wanted("forces" + load) && completes_a_polygon(solution, statement)) return "forces" + load;
+    if (is_wanted("forces" + load) && completes_a_polygon({solution_, part_of(solution_, statement)}, statement))
+        return "forces" + load;
     return load.empty() ? "lines-of-action" : "lines" + load;
 }
 
@@ -80,15 +80,15 @@ std::string StatementFigures::figure_of_truss(StatementIndex statement, int poly
 }
 
 std::string StatementFigures::load_at(StatementIndex statement) const {
-    const auto part = part_of(solution_, statement);
-    return part ? "-load-" + render::name_of(solution_.mechanism, solution_.superposition->parts[*part]) : "";
+    const LoadCase loads(solution_, part_of(solution_, statement));
+    return loads.is_alone() ? "-load-" + loads.load() : "";
 }
 
-bool StatementFigures::completes_a_polygon(const Solution& solution, StatementIndex statement) {
+bool StatementFigures::completes_a_polygon(const LoadCase& loads, StatementIndex statement) {
     const auto closes = [&](const auto& each) { return each.statement == statement; };
-    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
-                       [&](const FreeBody& body) { return has_force_polygon(solution, body) && closes(body); }) ||
-           std::any_of(solution.taken_together.begin(), solution.taken_together.end(), closes);
+    return std::any_of(loads.bodies().begin(), loads.bodies().end(),
+                       [&](const FreeBody& body) { return has_force_polygon(loads, body) && closes(body); }) ||
+           std::any_of(loads.together().begin(), loads.together().end(), closes);
 }
 
 bool StatementFigures::is_plane_of_motion(int polygon) const {

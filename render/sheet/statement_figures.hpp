@@ -38,7 +38,7 @@ private:
     std::string figure_of_forces(StatementIndex statement) const;
     /// `polygon`: the polygon in which it draws; −1: none.
     std::string figure_of_truss(StatementIndex statement, int polygon) const;
-    static bool completes_a_polygon(const Solution& solution, StatementIndex statement);
+    static bool completes_a_polygon(const LoadCase& loads, StatementIndex statement);
     bool is_plane_of_motion(int polygon) const;
     std::string first_polygon_of(Topic section) const;
 

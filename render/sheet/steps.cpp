@@ -19,7 +19,7 @@
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/statement_figures.hpp"
 #include "render/tables/force_tables.hpp"
@@ -259,9 +259,9 @@ private:
         const Statement& statement = this->statement(index);
         std::vector<Block> found;
         if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
-        const DrawingContext& context = wanted_.context_at(index);
-        for (const FreeBody* body : closed_by(context.solution, index))
-            found.push_back(force_equation_block(context, *body, true));
+        const LoadCase loads(solution_, part_of(solution_, index));
+        for (const FreeBody* body : closed_by(loads, index))
+            found.push_back(force_equation_block(context_, loads, *body, true));
         std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
         for (Block& block : found) {
             render::move(block.marks, 0, 2.5);

@@ -35,8 +35,8 @@ bool is_open(const FreeBody& body) {
 }
 
 /// The free body on which the opposite of a reaction acts; none for the frame.
-const FreeBody* opposite(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
-    for (const FreeBody& other : solution.free_bodies) {
+const FreeBody* opposite(const LoadCase& loads, const FreeBody& body, const AppliedForce& applied) {
+    for (const FreeBody& other : loads.bodies()) {
         if (&other == &body) continue;
         for (const AppliedForce& its : other.forces)
             if (its.joint != none && its.joint == applied.joint && its.from == body.body &&
@@ -61,7 +61,8 @@ bool on_line(const AppliedForce& applied, const Vector& place, const Pose& pose)
 }
 
 /// The line of a force for the table. Empty: any line, none was deduced.
-std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
+std::optional<RichText> line_of(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
+                                const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Language language = context.language;
@@ -88,7 +89,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
         }
     // The concurrency of the forces on this body, or on the body that the force comes from.
     std::vector<FreeBody::Meet> meets = body.meets;
-    for (const FreeBody& other : solution.free_bodies)
+    for (const FreeBody& other : loads.bodies())
         if (other.body == applied.from && applied.from > frame)
             meets.insert(meets.end(), other.meets.begin(), other.meets.end());
     for (const FreeBody::Meet& meet : meets)
@@ -116,15 +117,15 @@ struct EquationColumn {
     double width = 0, middle = 0;
 };
 
-EquationColumn equation_column(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied,
-                               const Symbol& symbol) {
+EquationColumn equation_column(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
+                               const AppliedForce& applied, const Symbol& symbol) {
     EquationColumn column;
     column.magnitude = is_load(applied.kind);
     if (applied.kind == ForceKind::reaction)
-        if (const FreeBody* other = opposite(context.solution, body, applied)) column.magnitude = other < &body;
+        if (const FreeBody* other = opposite(loads, body, applied)) column.magnitude = other < &body;
     // Nothing determines the line of this hinge force: magnitude and direction are both sought, and the polygon gives
     // them together.
-    const std::optional<RichText> line = line_of(context, body, applied);
+    const std::optional<RichText> line = line_of(context, loads, body, applied);
     column.direction = column.magnitude || applied.kind != ForceKind::reaction || line;
     column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
     column.line = context.fonts.shape(line ? *line : one_piece(word(lang::sheet::any_line, context.language)),
@@ -135,7 +136,8 @@ EquationColumn equation_column(const DrawingContext& context, const FreeBody& bo
 
 /// In the order of the polygon. Empty if a side of it is not a force of the body, or if there are more forces or
 /// unknowns than one polygon can give.
-std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext& context, const FreeBody& body) {
+std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext& context, const LoadCase& loads,
+                                                            const FreeBody& body) {
     const Protocol& protocol = context.solution.protocol;
     std::vector<EquationColumn> columns;
     int sought = 0;
@@ -145,7 +147,7 @@ std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext
             return !each.force.is_zero() && quantity_of(body, each) == vector.quantity;
         });
         if (applied == body.forces.end()) return std::nullopt;
-        columns.push_back(equation_column(context, body, *applied, vector.symbol));
+        columns.push_back(equation_column(context, loads, body, *applied, vector.symbol));
         sought += (columns.back().magnitude ? 0 : 1) + (columns.back().direction ? 0 : 1);
     }
     if (columns.size() < 3 || columns.size() > 5 || sought > 2) return std::nullopt;
@@ -258,9 +260,10 @@ Block force_row_names(const DrawingContext& context) {
     return block;
 }
 
-Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names) {
+Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
+                           bool with_names) {
     if (body.polygon < 0 || body.in_parts || is_open(body) || are_parallel(context.solution, body)) return {};
-    std::optional<std::vector<EquationColumn>> columns = equation_columns(context, body);
+    std::optional<std::vector<EquationColumn>> columns = equation_columns(context, loads, body);
     if (!columns) return {};
     return ForceEquation(context, std::move(*columns), with_names).drawn(context.theme.colour_of(body.body).letter);
 }
@@ -441,9 +444,9 @@ std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vect
     return ForceRows(context, figures, at_pairs).rows();
 }
 
-std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement) {
+std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex statement) {
     std::vector<const FreeBody*> closed;
-    for (const FreeBody& body : solution.free_bodies)
+    for (const FreeBody& body : loads.bodies())
         if (!body.in_parts && body.statement == statement) closed.push_back(&body);
     return closed;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/page/figure.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -13,11 +14,11 @@ namespace kinegraph::render {
 Symbol couple_symbol(const AppliedForce& applied);
 
 /// The bodies whose force polygons a statement closes; no later statement finds a force on them.
-std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement);
+std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex statement);
 
 /// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. An empty block (no
-/// width) if the forces were not found by closing this polygon alone.
-Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names);
+/// width) if the forces were not found by closing this polygon alone. `loads`: under which the body is cut free.
+Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body, bool with_names);
 /// Only the names of the rows, to stand before several tables side by side.
 Block force_row_names(const DrawingContext& context);
 

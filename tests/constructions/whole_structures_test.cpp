@@ -10,7 +10,7 @@
 
 #include "lang/keys/sentences.hpp"
 #include "render/figures/truss_figures.hpp"
-#include "render/scene/loads_alone.hpp"
+#include "render/scene/load_case.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/sheet/steps.hpp"
 #include "tests/support/pages.hpp"

@@ -295,7 +295,8 @@ void OfForces::added_up(const TakenTogether& together) {
     for (const AppliedForce& sum : together.sums) {
         resultant_found(sum);
         for (const StatementIndex each : indices_of(protocol_.statements))
-            if (const auto arm = shift_of(solution_, each, sum)) tell_aside(each, length(*arm), length(sum.force));
+            if (const auto arm = shift_of(solution_.protocol, solution_.free_bodies, each, sum))
+                tell_aside(each, length(*arm), length(sum.force));
     }
 }
 
