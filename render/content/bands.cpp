@@ -14,6 +14,7 @@
 #include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/prose.hpp"
+#include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
@@ -349,7 +350,9 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
-    for (const PolygonScene& scene : wanted_.scenes()) lines_.emplace_back(scene);
+    for (const Wanted& each : wanted_.list)
+        if (each.id.kind == FigureKind::velocity_polygon || each.id.kind == FigureKind::acceleration_polygon)
+            lines_.emplace_back(wanted_.shown().scene(each.id.of));
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
     if (detail_ == SolutionDetail::full) collect_apart();
@@ -380,16 +383,20 @@ void Bands::add_remarks() {
 
 bool Bands::remark(const std::string& figure, const RichText& text) {
     if (!remarks_.emplace(figure, text).second) return false;
-    if (list.back().question != "remarks") add_remarks();
+    if (list.back().parts.empty() || list.back().parts.back().kind != Kind::remarks) add_remarks();
     return true;
 }
 
-Band& Bands::add(const std::string& question, const std::vector<std::string>& figures) {
+Band& Bands::add(const std::string& question, const std::vector<FigureId>& figures) {
     Band& band = list.emplace_back();
     band.question = question;
-    for (const std::string& name : figures)
-        if (const auto index = wanted_.named(name)) band.figures.push_back(*index);
+    for (const FigureId id : figures)
+        if (const auto index = wanted_.named(id)) band.figures.push_back(*index);
     return band;
+}
+/// A band whose question has the name of its first figure.
+Band& Bands::add(const std::vector<FigureId>& figures) {
+    return add(render::name_of(solution_, figures.front()), figures);
 }
 
 /// The earlier statement that says the same of another subject. None if this one reads a vector that was drawn in
@@ -437,10 +444,10 @@ void Bands::collect_motion() {
     const Protocol& protocol = solution_.protocol;
     // Up to four bodies the order of the centres is seen without a diagram.
     constexpr std::size_t fewest_with_circle = 5;
-    std::vector<std::string> figures{wanted_.list.front().name};
-    if (solution_.mechanism.bodies.size() >= fewest_with_circle) figures.emplace_back("circle-diagram");
+    std::vector<FigureId> figures{wanted_.list.front().id};
+    if (solution_.mechanism.bodies.size() >= fewest_with_circle) figures.push_back({FigureKind::circle_diagram});
     Band& given = add("given", figures);
-    if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
+    if (wanted_.shown().has_centres()) given.parts.push_back({Kind::centres});
     // Each polygon has a band; the two polygons of a relative motion share one.
     std::map<int, std::size_t> band_of;  // by polygon
     std::map<Topic, std::size_t> last_of{{Topic::centres, 0}};
@@ -453,9 +460,9 @@ void Bands::collect_motion() {
                                band_of.contains(static_cast<int>(p) - 1);
             // The figure of an instantaneous motion shows the results of both polygons.
             if (again || solution_.instantaneous_motion)
-                list.back().figures.push_back(*wanted_.named(polygon.id));
+                list.back().figures.push_back(*wanted_.named(motion_polygon(solution_, static_cast<int>(p))));
             else
-                add(polygon.id, {polygon.id});
+                add({motion_polygon(solution_, static_cast<int>(p))});
             band_of[static_cast<int>(p)] = list.size() - 1;
             const Topic topic = relative                               ? Topic::relative_motion
                                 : polygon.plane == Plane::acceleration ? Topic::acceleration
@@ -483,14 +490,15 @@ void Bands::collect_curvature() {
     if (solution_.curvature.empty()) return;
     std::map<BodyIndex, std::size_t> band_of;
     std::size_t first = list.size();
-    for (const Curvature& found : solution_.curvature)
-        if (wanted_.named(render::name_of(solution_, found))) {
-            const std::string name = render::name_of(solution_, found);
-            add(name, {name});
-            band_of[found.body] = list.size() - 1;
+    for (std::size_t i = 0; i < solution_.curvature.size(); ++i)
+        if (const FigureId id{FigureKind::curvature, static_cast<int>(i)}; wanted_.named(id)) {
+            add({id});
+            band_of[solution_.curvature[i].body] = list.size() - 1;
         }
     if (band_of.empty()) add("curvature", {});
     first = std::min(first, list.size() - 1);
+    first_of_curvature_ = first;
+    end_of_curvature_ = list.size();
     const std::vector<Statement>& statements = solution_.protocol.statements;
     for (std::size_t i = 0; i < statements.size(); ++i) {
         if (statements[i].section != Topic::curvature) continue;
@@ -507,10 +515,10 @@ void Bands::collect_forces() {
                                !has_strings && !has_meets(solution_, true);
     // Statements about lines of action then stand with the first body.
     const std::size_t at_lines = list.size();
-    if (!drawn_already) add("lines-of-action", {"lines-of-action"});
+    if (!drawn_already) add({{FigureKind::lines_of_action}});
     const std::vector<std::size_t> parts = collect_superposition();
     collect_bodies();
-    if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
+    if (solution_.truss) add({{FigureKind::truss}, {FigureKind::force_plan}}).parts.push_back({Kind::bars});
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
         if (const int part = part_of(solution_, StatementIndex(i)); part != all_loads) {
@@ -524,11 +532,9 @@ void Bands::collect_forces() {
         add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
     }
     if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
-    for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{}) {
-        const std::string& id = solution_.protocol.polygons[static_cast<std::size_t>(p)].id;
-        add(id, {id});
-    }
-    if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+    for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{})
+        add({{FigureKind::closed_polygon, p}});
+    if (const FigureId lever{FigureKind::lever}; wanted_.named(lever)) add({lever}).parts.push_back({Kind::lever});
 }
 
 /// The band of a statement on forces: the polygon that it closes or adds to; otherwise the lines of action, where the
@@ -540,18 +546,19 @@ std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines
                std::any_of(body.arms.begin(), body.arms.end(),
                            [&](const FreeBody::Arm& arm) { return arm.is_shift && arm.statement == statement; });
     };
-    const auto band_with = [&](const std::string& figure) {
+    const auto band_with = [&](FigureKind kind, std::ptrdiff_t of) {
         for (std::size_t b = at_lines; b < list.size(); ++b)
-            for (const std::size_t each : list[b].figures)
-                if (wanted_.list[each].name == figure) return b;
+            if (draws(list[b], {kind, static_cast<int>(of)})) return b;
         return at_lines;
     };
+    const std::vector<FreeBody>& bodies = solution_.free_bodies;
     if (const auto closed = closed_by(solution_, statement); !closed.empty())
-        return band_with(render::name_of(solution_, *closed.front()));
+        return band_with(FigureKind::free_body, closed.front() - bodies.data());
     for (const TakenTogether& together : solution_.taken_together)
-        if (together.statement == statement) return band_with(render::name_of(solution_, together));
-    for (const FreeBody& body : solution_.free_bodies)
-        if (adds(body)) return band_with(render::name_of(solution_, body));
+        if (together.statement == statement)
+            return band_with(FigureKind::forces_together, &together - solution_.taken_together.data());
+    for (const FreeBody& body : bodies)
+        if (adds(body)) return band_with(FigureKind::free_body, &body - bodies.data());
     return at_lines;
 }
 
@@ -559,26 +566,27 @@ std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines
 std::vector<std::size_t> Bands::collect_superposition() {
     std::vector<std::size_t> bands;
     if (!solution_.superposition) return bands;
-    for (const Superposition::Part& part : solution_.superposition->parts) {
-        const std::string load = "load-" + render::name_of(solution_.mechanism, part);
+    for (int part = 0; part < parts_of(solution_); ++part) {
+        const LoadCase loads(solution_, part);
         bands.push_back(list.size());
-        std::vector<std::string> figures{"lines-" + load};
-        for (const FreeBody& body : part.bodies) figures.push_back(render::name_of(solution_, body) + "-" + load);
-        figures.push_back("forces-" + load);
-        add(load, figures);
+        std::vector<FigureId> figures{{FigureKind::lines_of_action, -1, part}};
+        for (std::size_t i = 0; i < loads.bodies().size(); ++i)
+            figures.push_back({FigureKind::free_body, static_cast<int>(i), part});
+        figures.push_back({FigureKind::forces, -1, part});
+        add("load-" + loads.load(), figures);
     }
     bands.push_back(list.size());
-    add("sums", {"sums"});
+    add({{FigureKind::partial_sums}});
     return bands;
 }
 
 /// One band for the truss, its force plan and their text; then one for the bars.
 void Bands::collect_truss() {
-    std::vector<std::string> figures{"truss"};
-    for (const TakenTogether& together : solution_.taken_together)
-        figures.push_back(render::name_of(solution_, together));
-    figures.emplace_back("cremona");
-    add("truss", figures);
+    std::vector<FigureId> figures{{FigureKind::truss}};
+    for (std::size_t i = 0; i < solution_.taken_together.size(); ++i)
+        figures.push_back({FigureKind::forces_together, static_cast<int>(i)});
+    figures.push_back({FigureKind::force_plan});
+    add(figures);
     const std::size_t home = list.size() - 1;
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
         if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);
@@ -587,7 +595,7 @@ void Bands::collect_truss() {
 
 /// The figure of the loops with the sections of their equations.
 void Bands::collect_equations() {
-    add("equations", {"loops"});
+    add("equations", {{FigureKind::loops}});
     add_items(equation_items(solution_, context_.language), "equations-");
 }
 
@@ -609,16 +617,17 @@ void Bands::add_items(std::vector<EquationItem> items, const std::string& pages)
 void Bands::collect_apart() {
     for (std::size_t i = 0; i < solution_.relative_motion.size(); ++i) {
         if (!has_moving_axes(solution_.relative_motion[i])) continue;
-        const std::string name = moving_axes_name(solution_, i);
-        add(name, {name});
-        add_items(apart_items(solution_, i, context_.language), name + "-");
+        const FigureId axes{FigureKind::moving_axes, static_cast<int>(i)};
+        add({axes});
+        add_items(apart_items(solution_, i, context_.language), render::name_of(solution_, axes) + "-");
     }
 }
 
 /// Displacements and virtual work.
 void Bands::collect_virtual_work() {
-    std::vector<std::string> figures;
-    for (std::size_t i = 0; i < displacement_figures(solution_); ++i) figures.push_back(displacement_figure_name(i));
+    std::vector<FigureId> figures;
+    for (std::size_t i = 0; i < solution_.displacements->freedoms.size(); ++i)
+        figures.push_back({FigureKind::displacements, static_cast<int>(i)});
     add("virtual-work", figures);
     add_items(virtual_work_items(solution_, context_.language), "virtual-work-");
 }
@@ -626,10 +635,8 @@ void Bands::collect_virtual_work() {
 /// In the order of solving: free body and polygon. Bodies with two forces share a band.
 void Bands::collect_bodies() {
     constexpr std::size_t most_in_a_row = 4;
-    for (const TakenTogether& together : solution_.taken_together) {
-        const std::string name = render::name_of(solution_, together);
-        add(name, {name});
-    }
+    for (std::size_t i = 0; i < solution_.taken_together.size(); ++i)
+        add({{FigureKind::forces_together, static_cast<int>(i)}});
     std::vector<const FreeBody*> order;
     for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
     std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
@@ -646,12 +653,12 @@ void Bands::collect_bodies() {
         });
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
-        const std::string name = render::name_of(solution_, *body);
+        const FigureId free{FigureKind::free_body, static_cast<int>(body - solution_.free_bodies.data())};
         const bool has_polygon = has_force_polygon(solution_, *body);
         if (!has_polygon && of_two_forces && list.back().figures.size() < most_in_a_row)
-            list.back().figures.push_back(*wanted_.named(name));
+            list.back().figures.push_back(*wanted_.named(free));
         else
-            add(name, {name, "forces-" + name.substr(name.find('-') + 1)});
+            add({free, {FigureKind::forces_of_body, free.of}});
         of_two_forces = !has_polygon;
     }
 }
@@ -670,37 +677,43 @@ std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const
     return rows;
 }
 
+bool Bands::draws(const Band& band, FigureId id) const {
+    return std::any_of(band.figures.begin(), band.figures.end(),
+                       [&](std::size_t figure) { return wanted_.list[figure].id == id; });
+}
+bool Bands::draws_curvature(const Band& band, BodyIndex body) const {
+    for (std::size_t i = 0; i < solution_.curvature.size(); ++i)
+        if (solution_.curvature[i].body == body && draws(band, {FigureKind::curvature, static_cast<int>(i)}))
+            return true;
+    return false;
+}
+
 /// Each row of results goes to the band whose figure it is measured on; if no figure shows it, to the last band of its
 /// kind.
 void Bands::deal_out_results() {
     const std::vector<ResultRow>& rows = results_ = results_on({});
-    const auto draws = [&](const Band& band, const std::string& name) {
-        return std::any_of(band.figures.begin(), band.figures.end(),
-                           [&](std::size_t f) { return wanted_.list[f].name == name; });
-    };
     const auto home_of = [&](const ResultRow& row) {
         std::size_t home = list.size() - 1;
         for (std::size_t b = list.size(); b-- > 0;) {
             const Band& band = list[b];
             for (const Polygon& polygon : solution_.protocol.polygons) {
-                if (polygon.plane == Plane::force || !draws(band, polygon.id)) continue;
-                const bool acceleration = polygon.plane == Plane::acceleration;
                 const auto index = static_cast<int>(&polygon - solution_.protocol.polygons.data());
+                if (polygon.plane == Plane::force || !draws(band, motion_polygon(solution_, index))) continue;
+                const bool acceleration = polygon.plane == Plane::acceleration;
                 if (row.group.polygon >= 0
                         ? row.group.polygon == index
                         : polygon.kind == Polygon::Kind::motion &&
                               row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
                     return b;
             }
-            if (row.group.section == Topic::curvature && band.question.starts_with("curvature")) {
-                if (home == list.size() - 1 ||
-                    draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
-                    home = b;
+            if (row.group.section == Topic::curvature && b >= first_of_curvature_ && b < end_of_curvature_) {
+                if (home == list.size() - 1 || draws_curvature(band, row.quantity.body)) home = b;
                 continue;
             }
             if (row.group.section != Topic::forces) continue;
             for (const FreeBody& body : solution_.free_bodies)
-                if (draws(band, render::name_of(solution_, body)) && has_force_polygon(solution_, body))
+                if (draws(band, {FigureKind::free_body, static_cast<int>(&body - solution_.free_bodies.data())}) &&
+                    has_force_polygon(solution_, body))
                     for (const AppliedForce& applied : body.forces) {
                         Quantity own = quantity_of(body, applied), turned = row.quantity;
                         std::swap(turned.body, turned.other);
@@ -760,8 +773,8 @@ const std::string& Bands::question_of(const Band::Part& part) const {
 Passage Bands::text(const Band::Part& part, double measure, bool equations_apart,
                     const std::vector<ResultRow>& results) const {
     if (part.kind == Kind::results) return table(part.which, results, measure);
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_,
-                          lines_, made_, wanted_, figures_stand_[question_of(part)]);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shown().has_centres(),
+                          equations_, lines_, made_, wanted_, figures_stand_[question_of(part)]);
     return writer.passage_of(part, remarks_);
 }
 

@@ -114,7 +114,10 @@ private:
     void collect_apart();
     void collect_virtual_work();
     void add_items(std::vector<EquationItem> items, const std::string& pages);
-    Band& add(const std::string& question, const std::vector<std::string>& figures);
+    Band& add(const std::string& question, const std::vector<FigureId>& figures);
+    Band& add(const std::vector<FigureId>& figures);
+    bool draws(const Band& band, FigureId id) const;
+    bool draws_curvature(const Band& band, BodyIndex body) const;
     void add_step(Band& band, std::size_t statement);
     std::optional<std::size_t> same_before(const Band& band, const Statement& added) const;
     void number_steps();
@@ -127,8 +130,9 @@ private:
     const Solution& solution_;
     const WantedFigures& wanted_;
     SolutionDetail detail_;
-    std::map<std::size_t, int> step_;                           // number of a step, by statement
-    std::map<std::size_t, std::vector<std::size_t>> likewise_;  // merged statements, by the one kept
+    std::size_t first_of_curvature_ = 0, end_of_curvature_ = 0;  // its bands
+    std::map<std::size_t, int> step_;                            // number of a step, by statement
+    std::map<std::size_t, std::vector<std::size_t>> likewise_;   // merged statements, by the one kept
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;                   // on drawn figures
     mutable std::map<std::string, std::string> figures_stand_;  // position of the figures in words, by question

@@ -315,7 +315,9 @@ std::string heading_of(Topic section, Language language) {
 
 bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
     const std::vector<Column> columns = asked_columns(mechanism);
-    if (columns.empty() || figure.kind == "mechanism" || figure.kind == "truss") return true;
+    using Needed = FigureTraits::Needed;
+    const Needed needed = figure.traits.needed;
+    if (columns.empty() || needed == Needed::always) return true;
     const bool inertia = mechanism.inertia_forces && !mechanism.masses.empty();
     const auto needs = [&](const auto& self, const Column& column) -> bool {
         if (const auto expression = expression_called(column.name, mechanism))
@@ -326,21 +328,22 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
         const bool forces = is_result && kind.is_of_forces();
         const bool accelerations = is_result && kind.is_acceleration(), velocities = is_result && kind.is_velocity();
         // Accelerations need ω²r, and inertia forces need accelerations.
-        if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
-        if (figure.kind == "acceleration") return accelerations || (forces && inertia);
-        return (figure.kind == "forces" || figure.kind == "closure" || figure.kind == "displacements") && forces;
+        if (needed == Needed::velocities) return velocities || accelerations || (forces && inertia);
+        if (needed == Needed::accelerations) return accelerations || (forces && inertia);
+        return needed == Needed::forces && forces;
     };
     return std::any_of(columns.begin(), columns.end(), [&](const Column& column) { return needs(needs, column); });
 }
 
 namespace {
 
-bool shows_forces(const Figure& figure) { return figure.kind == "forces" || figure.kind == "closure"; }
+bool shows_forces(const Figure& figure) { return figure.traits.measured == QuantityKind::force; }
+bool shows_lengths(const Figure& figure) { return figure.traits.measured == QuantityKind::length; }
 
 }  // namespace
 
 RichText name_of_scale(const DrawingContext& context, const Figure& figure, const std::vector<Figure>& figures) {
-    if (figure.kind == "mechanism") return one_piece(word(lang::sheet::mechanism, context.language));
+    if (shows_lengths(figure)) return one_piece(word(lang::sheet::mechanism, context.language));
     const bool alike = std::all_of(figures.begin(), figures.end(), [&](const Figure& other) {
         return !shows_forces(other) || !other.has_scale ||
                plain(scale_words(context, other)) == plain(scale_words(context, figure));
@@ -380,7 +383,6 @@ void add_scales_of_details(const DrawingContext& context, const Figure& figure, 
             named.push_back(vector);
         }
         Figure own;
-        own.kind = "detail";
         own.unit = figure.unit;
         own.scale = scale_of_detail(figure, detail);
         if (named.empty() || !(own.scale > 0)) continue;
@@ -398,10 +400,10 @@ std::vector<RichText> scales_of(const DrawingContext& context, const std::vector
     std::vector<std::string> said;
     bool mechanism = false;
     for (const Figure& figure : figures) {
-        if (!figure.has_scale || figure.kind == "body" || !is_drawn_for_sought(context.solution.mechanism, figure))
+        if (!figure.has_scale || !figure.traits.lists_scale || !is_drawn_for_sought(context.solution.mechanism, figure))
             continue;
         // The question shows only the first mechanism figure.
-        if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
+        if (shows_lengths(figure) && std::exchange(mechanism, true)) continue;
         const RichText name = name_of_scale(context, figure, figures);
         RichText row = name;
         append(row, word(lang::notation::colon, context.language));

@@ -6,6 +6,7 @@
 
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -26,14 +27,10 @@ public:
     }
 
     Figure figure() const {
-        Figure figure;
-        figure.kind = "centres";
-        figure.id = "circle-diagram";
+        Figure figure = begun(context_, {FigureKind::circle_diagram});
         figure.unit = "mm";
         figure.has_scale = false;
-        figure.caption = one_piece(word(lang::sheet::circle_diagram, context_.language));
-        figure.marks.emplace_back(
-            GroupBegin{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.kind}}});
+        figure.marks.emplace_back(group_of(figure, false));
         draw_circle(figure.marks);
         draw_chords(figure.marks);
         draw_bodies(figure.marks);
@@ -127,5 +124,26 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;
 }
+
+namespace {
+
+/// It shows the order of Kennedy's theorem. It is useful if there are more centres than can be followed directly, and
+/// readable if its chords can be distinguished.
+std::vector<int> has_circle(const Shown& shown, const LoadCase& /*all*/) {
+    constexpr std::size_t most = 16;
+    const std::size_t bodies = shown.solution().mechanism.bodies.size();
+    return once(bodies >= 3 && bodies <= most && !shown.solution().centres.empty() && !shown.is_brief);
+}
+void measure_circle(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    const double diameter = 8.4 * static_cast<double>(shown.solution().mechanism.bodies.size());
+    size.extent_x = size.extent_y = size.enough = std::clamp(diameter, 24.0, 56.0);
+}
+Figure draw_circle_diagram(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& /*none*/) {
+    return circle_diagram(shown.context, room.x, room.y);
+}
+
+}  // namespace
+
+constinit const FigureFunctions circle_diagram_functions{has_circle, measure_circle, draw_circle_diagram};
 
 }  // namespace kinegraph::render

@@ -9,6 +9,7 @@
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -364,6 +365,9 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// False if the body only turns about a point at rest.
 bool has_curvature_figure(const Curvature& found) {
     const auto is_free = [](const PathCentre& path) {
         return !path.is_pin && path.centre && !path.centre->at_infinity();
@@ -372,16 +376,13 @@ bool has_curvature_figure(const Curvature& found) {
                                                       std::any_of(found.points.begin(), found.points.end(), is_free));
 }
 
-Box extent_of_curvature(const Solution& solution, std::size_t index) {
-    return extent_of_curvature(Subject(solution), solution.curvature[index]);
-}
+}  // namespace
 
 Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                         const ScaleWish& wish) {
     const Curvature& found = context.solution.curvature[index];
     const Subject subject(context.solution);
     const Mechanism& mechanism = subject.mechanism;
-    const std::string& body = mechanism.body(found.body).name;
     const Box extent = extent_of_curvature(subject, found);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0),
                                       std::max(room_y - 30, 10.0), std::nullopt);
@@ -391,16 +392,37 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
                            .strict = wish.strict,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
+    const Figure blank = begun(context, {FigureKind::curvature, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, "curvature-" + body + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id + "-");
         CurvatureSketch drawn(sketch, found, extent);
         drawn.draw();
-        Figure figure = sketch.finish("curvature", "curvature-" + body, "m");
-        figure.caption = one_piece(word(lang::sheet::curvature_of_body, context.language) + " " + body);
+        Figure figure = sketch.finish(blank, "m");
+        figure.caption.back().text += " " + mechanism.body(found.body).name;
         figure.axes = std::move(drawn.axes);
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, mechanism.units.length, trial.strict);
         return figure;
     });
 }
+
+namespace {
+
+std::vector<int> curvatures(const Shown& shown, const LoadCase& /*all*/) {
+    const std::vector<Curvature>& all = shown.solution().curvature;
+    std::vector<int> found;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (has_curvature_figure(all[i])) found.push_back(static_cast<int>(i));
+    return found;
+}
+void measure_curvature(const Shown& shown, FigureId id, SizeWanted& size) {
+    size.take(extent_of_curvature(Subject(shown.solution()), shown.solution().curvature[at_index(id.of)]));
+}
+Figure draw_curvature(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return curvature_figure(shown.context, at_index(id.of), room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions curvature_functions{curvatures, measure_curvature, draw_curvature};
 
 }  // namespace kinegraph::render

@@ -7,6 +7,7 @@
 #include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/scale.hpp"
@@ -123,14 +124,6 @@ Unit unit_of(const Displacements::Freedom& freedom, const Units& units) {
 
 }  // namespace
 
-std::size_t displacement_figures(const Solution& solution) {
-    return solution.displacements ? solution.displacements->freedoms.size() : 0;
-}
-
-std::string displacement_figure_name(std::size_t index) {
-    return index == 0 ? "displacements" : "displacements-" + std::to_string(index + 1);
-}
-
 Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                            const ScaleWish& wish) {
     const Displacements::Freedom& freedom = freedom_of(context.solution, index);
@@ -149,9 +142,9 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
                            .strict = wish.strict,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
-    const std::string name = displacement_figure_name(index);
+    const Figure blank = begun(context, {FigureKind::displacements, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, displaced, trial.scale, name + "-");
+        Sketch sketch(subject, displaced, trial.scale, blank.id + "-");
         draw_in_grey(sketch);
         const double reach = std::clamp(0.4 * sketch.size(), 12.0, 40.0);
         const double scale = choose_scale(longest, 0, reach, reach, std::nullopt);
@@ -161,13 +154,34 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
             draw_turn(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body), true,
                       6, sketch.theme.colour_of(spin->body).letter);
         name_points(sketch);
-        Figure figure = sketch.finish("displacements", name, is_turn(freedom.driver) ? "m/rad" : "m/m");
+        Figure figure = sketch.finish(blank, is_turn(freedom.driver) ? "m/rad" : "m/m");
         figure.scale = scale;
-        figure.caption = one_piece(word(lang::sheet::virtual_displacements, context.language) + " ");
+        append(figure.caption, one_piece(" "));
         append(figure.caption, displaced_coordinate(moved.mechanism, freedom.driver));
         sketch.close(figure, {room_x, room_y}, trial.last, scale, unit, trial.strict);
         return figure;
     });
 }
+
+namespace {
+
+std::vector<int> freedoms(const Shown& shown, const LoadCase& /*all*/) {
+    const auto& displacements = shown.solution().displacements;
+    std::vector<int> found;
+    for (std::size_t i = 0; displacements && i < displacements->freedoms.size(); ++i)
+        found.push_back(static_cast<int>(i));
+    return found;
+}
+void measure_displacements(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_mechanism(shown, id, size);
+    size.least = 48;
+}
+Figure draw_displacements(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return displacement_figure(shown.context, at_index(id.of), room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions displacements_functions{freedoms, measure_displacements, draw_displacements};
 
 }  // namespace kinegraph::render

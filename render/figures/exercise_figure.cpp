@@ -8,6 +8,8 @@
 #include "engine/mechanism/compound_units.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/exercise_figure.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
 
@@ -214,7 +216,7 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     if (wish.first.most > 0) draw_dimensions(sketch, ground.room, wish.first);
     name_points(sketch);
     drawing.say_masses();
-    Figure figure = sketch.finish("mechanism", "mechanism", "m");
+    Figure figure = sketch.finish(begun(context, {FigureKind::mechanism}), "m");
     figure.caption = one_piece(word(lang::sheet::mechanism_and_its_data, context.language));
     Spot room = ground.room;
     if (ground.within) {

@@ -45,29 +45,19 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
 /// Bresse's circles, osculating circles to scale. Kind "curvature", id "curvature-<body>".
 Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                         const ScaleWish& wish = {});
-/// False if the body only turns about a point at rest.
-bool has_curvature_figure(const Curvature& found);
-/// Its extent, m.
-Box extent_of_curvature(const Solution& solution, std::size_t index);
 /// The vector loops of the closure equations on the mechanism in grey (kind and id "loops"; each side is a group of
 /// class "side"). Requires equations with sides.
 Figure loops_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
-bool has_loops_figure(const Solution& solution);
-/// Its extent, m.
-Box extent_of_loops(const Solution& solution);
 /// Virtual displacements along freedom `index` of Solution::displacements, with the forces (kind "displacements", id
 /// "displacements" or "displacements-2" …; arrows are groups of classes "displacement" and "force").
 Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                            const ScaleWish& wish = {});
-std::size_t displacement_figures(const Solution& solution);
-std::string displacement_figure_name(std::size_t index);
 /// Relative motion `index` of Solution::relative_motion: the moving axes on the mechanism, the motion of the point
 /// relative to them, and the origin of Coriolis' term (kind and id "moving-axes", "moving-axes-2" …). Requires
 /// has_moving_axes().
 Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                           const ScaleWish& wish = {});
 bool has_moving_axes(const RelativeMotion& motion);
-std::string moving_axes_name(const Solution& solution, std::size_t index);
 /// The circle diagram of the instant centres: bodies on a circle, centres as chords, numbered in the order in which
 /// they are found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
@@ -81,10 +71,6 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 // Forces. Triangles and closed polygon share one scale, by the wish that they are drawn with.
 
 bool has_force_polygons(const LoadCase& loads);
-/// The extent of the force polygons of the bodies side by side, in the unit of force of the file.
-Box extent_of_forces(const LoadCase& loads);
-/// The extent of a free body with its points of application and near points of concurrency, m.
-Box extent_of_free_body(const LoadCase& loads, std::size_t index);
 /// The mechanism with lines of action, points of concurrency, and the sense of loads, input efforts and ground
 /// reactions. `part`: of the superposition, whose loads act alone.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, int part = all_loads,
@@ -99,7 +85,6 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
                              bool tables = true, int only = -1, int part = all_loads);
 /// For a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
-Box extent_of_partial_sums(const Solution& solution);
 /// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
 bool has_force_polygon(const LoadCase& loads, const FreeBody& body);
 /// The closed polygon: the polygons joined, external forces solid, internal sides dashed.
@@ -122,8 +107,6 @@ enum class NoLever {
     nothing_moves,  ///< no force acts at a point that moves
 };
 NoLever no_lever(const Solution& solution);
-/// The extent of the turned velocities with the pole, in the unit of velocity of the file.
-Box extent_of_lever(const Solution& solution);
 /// Kind "velocity", id "joukowsky"; forces are groups of class "force", with a scale of their own in the caption.
 /// Requires that no_lever() is `drawn`.
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});

@@ -9,6 +9,8 @@
 #include "engine/solution/shifts.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
@@ -814,17 +816,16 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
     lines.draw(sketch.construction);
 }
 
-/// The caption for all loads or for those of one body alone.
-RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
-    return one_piece(load.empty() ? word(lang::sheet::mechanism_and_lines_of_action, context.language)
-                                  : words_of_load(context, load));
-}
-
 }  // namespace
 
+namespace {
+
+/// With its points of application and near points of concurrency, m.
 Box extent_of_free_body(const LoadCase& loads, std::size_t index) {
     return extent_of_body(Subject(loads.solution()), loads.bodies()[index]).all;
 }
+
+}  // namespace
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
                         int part) {
@@ -834,8 +835,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = loads.bodies()[index];
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
-    const std::string id =
-        legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
+    const Figure blank = begun(context, {FigureKind::free_body, static_cast<int>(index), part});
     Subject subject(solution);
     const auto [own_box, box] = extent_of_body(subject, body);
     subject.box = box;
@@ -845,7 +845,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     for (const AppliedForce& applied : body.forces) longest = std::max(longest, kinegraph::length(applied.force));
     const Unit& unit = mechanism.units.force;
     const double si = unit.si.to_double();
-    const auto asked = asked_scale(mechanism, "body");
+    const auto asked = asked_scale(mechanism, FigureKind::free_body);
     const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
     constexpr double roomy = 80;
     const ForceScale forces{si,
@@ -865,9 +865,9 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {
-                   Sketch sketch(subject, context, trial.scale, id + "-");
+                   Sketch sketch(subject, context, trial.scale, blank.id + "-");
                    FreeBodyDrawing(sketch, loads, body, forces).draw();
-                   Figure figure = sketch.finish("body", id, unit.symbol);
+                   Figure figure = sketch.finish(blank, unit.symbol);
                    figure.scale = forces.per_millimetre;
                    figure.caption = caption_of(context, body, name, load);
                    sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit);
@@ -930,12 +930,63 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         for (const FreeBody& body : loads.bodies())
             for (std::size_t i = 0; i < body.arms.size(); ++i)
                 if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
-        Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");
-        figure.caption = caption_of_lines(context, load);
+        Figure figure = sketch.finish(begun(context, {FigureKind::lines_of_action, -1, part}), "m");
+        if (loads.is_alone()) figure.caption = one_piece(words_of_load(context, load));
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length,
                      trial.strict);
         return figure;
     });
 }
+
+namespace {
+
+/// Brief: under a part of the loads, only if a free body does not show as much.
+std::vector<int> lines_of_action(const Shown& shown, const LoadCase& loads) {
+    if (loads.is_alone()) return once(!shown.is_brief || has_meets(loads, false));
+    return once(!loads.bodies().empty());
+}
+void measure_lines_of_action(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_mechanism(shown, id, size);
+    if (id.part != all_loads) size.asked.reset();
+}
+Figure draw_lines_of_action(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return mechanism_with_forces(shown.context, room.x, room.y, id.part, wish);
+}
+
+/// In the order of the bodies, pins after them. Under a part of the loads those that have a polygon.
+std::vector<int> free_bodies(const Shown& shown, const LoadCase& loads) {
+    std::vector<int> order;
+    for (std::size_t i = 0; i < loads.bodies().size(); ++i)
+        if (!loads.is_alone() || (!shown.is_brief && has_force_polygon(loads, loads.bodies()[i])))
+            order.push_back(static_cast<int>(i));
+    if (loads.is_alone()) return order;
+    const auto rank = [&](int i) {
+        const FreeBody& body = loads.bodies()[at_index(i)];
+        return body.body == none ? 1 << 20 : body.body.number();
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int one, int other) { return rank(one) < rank(other); });
+    return order;
+}
+/// A minimum for letters; the true size is known after drawing.
+void measure_free_body(const Shown& shown, FigureId id, SizeWanted& size) {
+    const LoadCase loads(shown.solution(), id.part);
+    const Box box = extent_of_free_body(loads, at_index(id.of));
+    size.extent_x = std::max(box.width(), 0.3 * box.height());
+    size.extent_y = std::max(box.height(), 0.3 * box.width());
+    size.asked.reset();  // that of its forces, not of its size
+    // A longer link with two forces on one line shows no more: the space is better used for polygons.
+    constexpr double enough_for_two_forces = 50;
+    if (size.extent() > 0 && !has_force_polygon(loads, loads.bodies()[at_index(id.of)]))
+        size.enough = enough_for_two_forces;
+}
+Figure draw_free_body(const Shown& shown, FigureId id, Spot room, const ScaleWish& /*of forces*/) {
+    return free_body_figure(shown.context, at_index(id.of), room.x, room.y, !shown.is_brief, id.part);
+}
+
+}  // namespace
+
+constinit const FigureFunctions lines_of_action_functions{lines_of_action, measure_lines_of_action,
+                                                          draw_lines_of_action};
+constinit const FigureFunctions free_body_functions{free_bodies, measure_free_body, draw_free_body};
 
 }  // namespace kinegraph::render

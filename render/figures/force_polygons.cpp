@@ -5,6 +5,8 @@
 
 #include "engine/number/assert.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -65,11 +67,9 @@ public:
 
     Figure empty_at(double scale) const {
         const bool joined = scene_.kind == PolygonScene::Kind::closure;
-        Figure figure;
-        figure.kind = joined ? "closure" : "forces";
+        Figure figure = begun(context_, {joined ? FigureKind::closed_polygon : FigureKind::forces});
         figure.id = legal_id(scene_.id);
-        figure.caption = one_piece(word(
-            joined && !is_open() ? lang::sheet::closed_force_polygon : lang::sheet::force_polygon, context_.language));
+        if (!joined || is_open()) figure.caption = one_piece(word(lang::sheet::force_polygon, context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
         open_group(figure);
@@ -254,10 +254,9 @@ Box extent_of_polygons(const LoadCase& loads, const std::vector<int>& polygons) 
 /// Polygons in rows, each with the name of its body above and its table below.
 class Rows {
 public:
-    /// `id`: of the figure.
     Rows(const DrawingContext& context, const LoadCase& loads, const std::vector<int>& polygons, bool with_tables,
-         std::string id)
-        : context_(context), id_(std::move(id)) {
+         FigureId id)
+        : context_(context), id_(id) {
         for (const int polygon : polygons) {
             Item item{polygon, ForcePolygon(context, loads, polygon), {}, {}, none, none};
             name(item, loads, with_tables);
@@ -386,12 +385,11 @@ private:
     }
 
     Figure set_out(std::vector<Cell>& cells, const Block& names, double room, double scale) const {
-        Figure all;
-        all.kind = "forces";
-        all.id = id_;
+        Figure all = begun(context_, id_);
+        for (const Item& item : items_) all.polygons.push_back(item.polygon);
         all.scale = scale;
         all.unit = context_.solution.mechanism.units.force.symbol;
-        all.caption = one_piece(word(caption(), context_.language));
+        if (id_.kind != FigureKind::partial_sums) all.caption = one_piece(word(caption(), context_.language));
         double y = 0;
         for (const Row& row : arranged(cells, room)) y = set_row(all, row, cells, names, y);
         all.box = box_of(all.marks);
@@ -399,7 +397,6 @@ private:
         return all;
     }
     Key caption() const {
-        if (id_ == "sums") return lang::sheet::sums_of_partial_forces;
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
             return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
                    !item.drawing.flat() && !item.drawing.is_open();
@@ -489,7 +486,7 @@ private:
     }
 
     const DrawingContext& context_;
-    std::string id_;
+    FigureId id_;
     std::vector<Item> items_;
 };
 
@@ -531,21 +528,17 @@ bool has_force_polygon(const LoadCase& loads, const FreeBody& body) {
     return body.polygon >= 0 && std::find(shown.begin(), shown.end(), body.polygon) != shown.end();
 }
 
-Box extent_of_forces(const LoadCase& loads) { return extent_of_polygons(loads, shown_polygons(loads)); }
-Box extent_of_partial_sums(const Solution& solution) {
-    return extent_of_polygons(solution, polygons_of_sums(solution));
-}
-
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish,
                              bool tables, int only, int part) {
     const LoadCase loads(context.solution, part);
     const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(loads);
-    return fitted_rows(Rows(context, loads, polygons, tables, "forces"), {room_x, room_y}, wish);
+    return fitted_rows(Rows(context, loads, polygons, tables, {FigureKind::forces, -1, part}), {room_x, room_y}, wish);
 }
 
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
-    return fitted_rows(Rows(context, context.solution, polygons_of_sums(context.solution), false, "sums"),
-                       {room_x, room_y}, wish);
+    return fitted_rows(
+        Rows(context, context.solution, polygons_of_sums(context.solution), false, {FigureKind::partial_sums}),
+        {room_x, room_y}, wish);
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
@@ -592,5 +585,92 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         return finish(trial.scale);
     });
 }
+
+namespace {
+
+/// Two equal and opposite forces have no polygon; the steps say so.
+bool has_several_forces(const LoadCase& loads) {
+    const auto has_three = [&](const FreeBody& body) {
+        return body.polygon >= 0 && loads.solution().protocol.polygons[at_index(body.polygon)].vectors.size() > 2;
+    };
+    return !loads.together().empty() || std::any_of(loads.bodies().begin(), loads.bodies().end(), has_three);
+}
+std::vector<int> rows_of_polygons(const Shown& /*any*/, const LoadCase& loads) {
+    return once(loads.is_alone() ? has_several_forces(loads) : !loads.bodies().empty() && has_force_polygons(loads));
+}
+void measure_rows(const Shown& shown, FigureId id, SizeWanted& size) {
+    const LoadCase loads(shown.solution(), id.part);
+    size.take(extent_of_polygons(loads, shown_polygons(loads)));
+    size.may_be_larger = id.part != all_loads;
+}
+Figure draw_rows(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return force_polygons_figure(shown.context, room.x, room.y, wish, true, -1, id.part);
+}
+
+/// The pole of the rays is as far to the side as the forces are long.
+void measure_single(const Solution& solution, int polygon, bool has_rays, SizeWanted& size) {
+    const PolygonScene scene = polygon_scene(solution, polygon);
+    size.extent_x = scene.width();
+    size.extent_y = scene.height();
+    if (has_rays) size.extent_x += size.extent();
+}
+std::vector<int> polygons_of_bodies(const Shown& /*any*/, const LoadCase& loads) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < loads.bodies().size(); ++i)
+        if (has_force_polygon(loads, loads.bodies()[i])) found.push_back(static_cast<int>(i));
+    return found;
+}
+const FreeBody& body_of(const Shown& shown, FigureId id) { return shown.solution().free_bodies[at_index(id.of)]; }
+void measure_polygon_of_body(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_single(shown.solution(), body_of(shown, id).polygon, body_of(shown, id).funicular.has_value(), size);
+}
+Figure draw_polygon_of_body(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return force_polygons_figure(shown.context, room.x, room.y, wish, false, body_of(shown, id).polygon);
+}
+std::vector<int> groups_of_bodies(const Shown& shown, const LoadCase& loads) {
+    std::vector<int> found;
+    if (has_forces(shown.solution()))
+        for (std::size_t i = 0; i < loads.together().size(); ++i) found.push_back(static_cast<int>(i));
+    return found;
+}
+const TakenTogether& group_of(const Shown& shown, FigureId id) {
+    return shown.solution().taken_together[at_index(id.of)];
+}
+void measure_polygon_of_group(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_single(shown.solution(), group_of(shown, id).polygon, group_of(shown, id).funicular.has_value(), size);
+}
+Figure draw_polygon_of_group(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return force_polygons_figure(shown.context, room.x, room.y, wish, false, group_of(shown, id).polygon);
+}
+
+std::vector<int> has_partial_sums(const Shown& shown, const LoadCase& loads) {
+    return once(!loads.bodies().empty() && !polygons_of_sums(shown.solution()).empty());
+}
+void measure_partial_sums(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    size.take(extent_of_polygons(shown.solution(), polygons_of_sums(shown.solution())));
+}
+Figure draw_partial_sums(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return partial_sums_figure(shown.context, room.x, room.y, wish);
+}
+
+std::vector<int> joined_polygons(const Shown& shown, const LoadCase& loads) {
+    return loads.bodies().empty() ? std::vector<int>{} : closed_polygons(shown.solution());
+}
+void measure_joined_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_single(shown.solution(), id.of, false, size);
+}
+Figure draw_joined_polygon(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return closed_polygon_figure(shown.context, id.of, room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions forces_functions{rows_of_polygons, measure_rows, draw_rows};
+constinit const FigureFunctions forces_of_body_functions{polygons_of_bodies, measure_polygon_of_body,
+                                                         draw_polygon_of_body};
+constinit const FigureFunctions forces_together_functions{groups_of_bodies, measure_polygon_of_group,
+                                                          draw_polygon_of_group};
+constinit const FigureFunctions partial_sums_functions{has_partial_sums, measure_partial_sums, draw_partial_sums};
+constinit const FigureFunctions closed_polygon_functions{joined_polygons, measure_joined_polygon, draw_joined_polygon};
 
 }  // namespace kinegraph::render

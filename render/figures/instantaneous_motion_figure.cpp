@@ -7,6 +7,8 @@
 #include "engine/number/assert.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -454,7 +456,7 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
         const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
         act.draw(sketch, velocity_scale);
-        Figure figure = sketch.finish("mechanism", "mechanism", "m");
+        Figure figure = sketch.finish(begun(context, {FigureKind::mechanism}), "m");
         figure.caption = one_piece(word(lang::sheet::act_of_motion, context.language));
         if (act.longest() > 0)
             figure.further_scale =

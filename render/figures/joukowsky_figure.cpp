@@ -10,7 +10,10 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/bindings.hpp"
+#include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -70,18 +73,13 @@ public:
     double height() const { return max_.y - min_.y; }
 
     Figure at(double scale) const {
-        Figure figure;
-        figure.kind = "velocity";
-        figure.id = "joukowsky";
-        figure.caption = one_piece(word(lang::sheet::lever, context_.language));
+        Figure figure = begun(context_, {FigureKind::lever});
         figure.further_scale = "1 mm ≙ " + shortest(force_scale_, context_.language) + " " + force_.symbol;
         figure.scale = scale;
         figure.unit = velocity_.symbol;
-        figure.marks.emplace_back(
-            GroupBegin{"figure",
-                       figure.id,
-                       plain(figure.caption) + ", " + figure.further_scale,
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
+        GroupBegin group = group_of(figure);
+        group.title += ", " + figure.further_scale;
+        figure.marks.emplace_back(std::move(group));
         const std::vector<Arrow> arrows = arrows_at(scale);
         draw_rays(figure);
         draw_arms(figure, arrows);
@@ -318,18 +316,6 @@ NoLever no_lever(const Solution& solution) {
     return any ? NoLever::drawn : NoLever::nothing_moves;
 }
 
-Box extent_of_lever(const Solution& solution) {
-    Box box;
-    for (const VirtualWork::Entry& entry : work_of(solution).entries) {
-        if (entry.force.is_zero()) continue;
-        const double si = solution.mechanism.units.velocity.si.to_double();
-        const Spot tip{-entry.velocity.y.to_double() / si, -entry.velocity.x.to_double() / si};
-        box.min = {std::min(box.min.x, tip.x), std::min(box.min.y, tip.y)};
-        box.max = {std::max(box.max.x, tip.x), std::max(box.max.y, tip.y)};
-    }
-    return box;
-}
-
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     KG_ASSERT(no_lever(context.solution) == NoLever::drawn, "a lever needs a force that moves");
     const Lever lever(context);
@@ -352,5 +338,34 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
         return figure;
     });
 }
+
+namespace {
+
+/// Whether an input force or couple was found by virtual work, for which the lever is the construction.
+bool found_by_works(const Solution& solution) {
+    return std::any_of(
+        solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
+            const Statement& said = solution.protocol.statements[at_index(motion.statement)];
+            return said.message.sentence == lang::sentences::virtual_work_alone &&
+                   std::any_of(said.finds.begin(), said.finds.end(),
+                               [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
+        });
+}
+std::vector<int> has_lever(const Shown& shown, const LoadCase& /*all*/) {
+    return once((shown.has_lever || found_by_works(shown.solution())) && no_lever(shown.solution()) == NoLever::drawn);
+}
+/// The turned velocities with the pole, in the unit of velocity of the file.
+void measure_lever(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    const Lever lever(shown.context);
+    size.extent_x = lever.width();
+    size.extent_y = lever.height();
+}
+Figure draw_lever(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return joukowsky_figure(shown.context, room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions lever_functions{has_lever, measure_lever, draw_lever};
 
 }  // namespace kinegraph::render

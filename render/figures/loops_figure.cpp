@@ -7,6 +7,7 @@
 #include "engine/equations/equations_values.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -90,16 +91,14 @@ void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std
                1 + 0.45 * static_cast<double>(before));
 }
 
-}  // namespace
-
-bool has_loops_figure(const Solution& solution) { return solution.equations && !sides_of(*solution.equations).empty(); }
-
 Box extent_of_loops(const Solution& solution) {
     Box extent = Subject(solution).box;
     for (const Side& side : sides_of(*solution.equations))
         for (const Vector& place : {side.from, side.to}) extent.include(paper_spot(place));
     return extent;
 }
+
+}  // namespace
 
 Figure loops_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Equations& equations = *context.solution.equations;
@@ -121,11 +120,26 @@ Figure loops_figure(const DrawingContext& context, double room_x, double room_y,
         std::vector<Spot> tails;
         for (const Side& side : sides) draw_side(sketch, equations, side, angles, tails);
         name_points(sketch);
-        Figure figure = sketch.finish("loops", "loops", "m");
-        figure.caption = one_piece(word(lang::sheet::loops_on_the_mechanism, context.language));
+        Figure figure = sketch.finish(begun(context, {FigureKind::loops}), "m");
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
         return figure;
     });
 }
+
+namespace {
+
+std::vector<int> has_loops(const Shown& shown, const LoadCase& /*all*/) {
+    return once(shown.solution().equations && !sides_of(*shown.solution().equations).empty());
+}
+void measure_loops(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    size.take(extent_of_loops(shown.solution()));
+}
+Figure draw_loops(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return loops_figure(shown.context, room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions loops_functions{has_loops, measure_loops, draw_loops};
 
 }  // namespace kinegraph::render

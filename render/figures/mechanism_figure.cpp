@@ -9,6 +9,7 @@
 
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -268,11 +269,10 @@ private:
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
         if (shows.ways != nullptr) name_ways(sketch, *shows.ways);
-        Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word(shows.ways != nullptr ? lang::sheet::mechanism_and_its_way
-                                        : shows.centres       ? lang::sheet::mechanism_and_instant_centres
-                                                              : lang::sheet::mechanism,
-                                        context.language));
+        Figure figure =
+            sketch.finish(begun(context, {shows.centres ? FigureKind::centres : FigureKind::mechanism}), "m");
+        if (shows.ways != nullptr)
+            figure.caption = one_piece(word(lang::sheet::mechanism_and_its_way, context.language));
         if (!left_out.empty()) append(figure.caption, without(left_out));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length,
                      trial.strict);
@@ -327,30 +327,19 @@ private:
 
 /// The quantities on this mechanism figure: vectors of points and rates of bodies.
 struct OnMechanism {
-    const char* name;  // of the figure
-    Key caption;
+    FigureKind figure;
     Symbol::Letter of_points, of_bodies;
     Quantity::Kind kind;  // of the vectors of points
     const char* si;
     Recorded<Vector> PointMotion::*vector;
     Unit Units::*unit;
 };
-constexpr OnMechanism velocities{"velocities",
-                                 lang::sheet::velocities_on_the_mechanism,
-                                 Symbol::Letter::v,
-                                 Symbol::Letter::omega,
-                                 Quantity::Kind::velocity,
-                                 "m/s",
-                                 &PointMotion::velocity,
-                                 &Units::velocity};
-constexpr OnMechanism accelerations{"accelerations",
-                                    lang::sheet::accelerations_on_the_mechanism,
-                                    Symbol::Letter::a,
-                                    Symbol::Letter::alpha,
-                                    Quantity::Kind::acceleration,
-                                    "m/s²",
-                                    &PointMotion::acceleration,
-                                    &Units::acceleration};
+constexpr OnMechanism velocities{
+    FigureKind::velocities, Symbol::Letter::v, Symbol::Letter::omega, Quantity::Kind::velocity, "m/s",
+    &PointMotion::velocity, &Units::velocity};
+constexpr OnMechanism accelerations{
+    FigureKind::accelerations,  Symbol::Letter::a,   Symbol::Letter::alpha, Quantity::Kind::acceleration, "m/s²",
+    &PointMotion::acceleration, &Units::acceleration};
 
 struct ShownVector {
     const PointMotion* motion;
@@ -448,8 +437,9 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
                            .strict = wish.strict,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
+    const Figure blank = begun(context, {what.figure});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, std::string(what.name) + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id + "-");
         draw_in_grey(sketch);
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
         const double scale = longest > 0 ? choose_scale(longest, 0, reach, reach, std::nullopt) : 1;
@@ -467,9 +457,8 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
             sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
             belong(sketch.construction, sketch.construction.size() - 1, statement);
         }
-        Figure figure = sketch.finish("body", what.name, what.si);
+        Figure figure = sketch.finish(blank, what.si);
         figure.scale = scale;
-        figure.caption = one_piece(word(what.caption, context.language));
         sketch.close(figure, room, trial.last, scale, solution.mechanism.units.*what.unit, trial.strict);
         return figure;
     });
@@ -514,5 +503,68 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
 Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     return drawn_on_mechanism(context, accelerations, {room_x, room_y}, false, wish);
 }
+
+/// Symbols and letters keep their size, so that a small mechanism is crowded.
+void measure_mechanism(const Shown& shown, FigureId id, SizeWanted& size) {
+    const Solution& solution = shown.solution();
+    // The figure of an instantaneous motion shows its centre, too.
+    const bool with_centres =
+        id.kind == FigureKind::centres ||
+        (id.kind == FigureKind::mechanism && solution.instantaneous_motion && shown.has_centres());
+    const Box extent = extent_of_mechanism(solution, with_centres);
+    size.take(extent);
+    // Distant centres may take most of the figure; the links need a minimum size, and theirs is the figure's score.
+    constexpr double least_of_links = 28;
+    const Box links = with_centres ? extent_of_mechanism(solution, false) : extent;
+    const double of_links = std::max(links.width(), links.height());
+    size.subject = of_links;
+    size.least = of_links > 0 ? least_of_links * size.extent() / of_links : least_of_links;
+    size.weight = solution.instantaneous_motion ? 2 : 1.2;
+}
+
+namespace {
+
+bool lists_motion(const Solution& solution) { return has_motion(solution) || !has_forces(solution); }
+bool lists_centres(const Shown& shown) { return shown.has_centres() && !shown.solution().instantaneous_motion; }
+
+std::vector<int> mechanism_alone(const Shown& shown, const LoadCase& /*all*/) {
+    return once(lists_motion(shown.solution()) && !lists_centres(shown));
+}
+std::vector<int> mechanism_with_centres(const Shown& shown, const LoadCase& /*all*/) {
+    return once(lists_motion(shown.solution()) && lists_centres(shown));
+}
+Figure draw_mechanism(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    if (shown.solution().instantaneous_motion) return instantaneous_motion_figure(shown.context, room.x, room.y, wish);
+    return mechanism_figure(shown.context, room.x, room.y, id.kind == FigureKind::centres, wish);
+}
+Figure with_turnings(const Shown& shown, FigureId id, const Figure& plain, Spot room) {
+    if (shown.solution().instantaneous_motion || shown.is_brief) return Figure::empty_at(any_scale);
+    return mechanism_with_found_turnings(shown.context, plain, room, id.kind == FigureKind::centres);
+}
+
+template <Recorded<Vector> PointMotion::*vector>
+std::vector<int> on_mechanism(const Shown& shown, const LoadCase& /*all*/) {
+    const std::vector<PointMotion>& points = shown.solution().points;
+    return once(!shown.solution().instantaneous_motion &&
+                std::any_of(points.begin(), points.end(), [](const PointMotion& motion) {
+                    return motion.point != none && motion.*vector && !(motion.*vector)->is_zero();
+                }));
+}
+Figure draw_velocities(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return velocities_on_mechanism(shown.context, room.x, room.y, wish);
+}
+Figure draw_accelerations(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return accelerations_on_mechanism(shown.context, room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions mechanism_functions{mechanism_alone, measure_mechanism, draw_mechanism, with_turnings};
+constinit const FigureFunctions centres_functions{mechanism_with_centres, measure_mechanism, draw_mechanism,
+                                                  with_turnings};
+constinit const FigureFunctions velocities_functions{on_mechanism<&PointMotion::velocity>, measure_mechanism,
+                                                     draw_velocities};
+constinit const FigureFunctions accelerations_functions{on_mechanism<&PointMotion::acceleration>, measure_mechanism,
+                                                        draw_accelerations};
 
 }  // namespace kinegraph::render

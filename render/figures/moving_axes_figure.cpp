@@ -5,6 +5,7 @@
 
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/scale.hpp"
@@ -101,12 +102,6 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
 
 bool has_moving_axes(const RelativeMotion& motion) { return motion.apart.has_value(); }
 
-std::string moving_axes_name(const Solution& solution, std::size_t index) {
-    const auto& all = solution.relative_motion;
-    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index), has_moving_axes);
-    return before == 0 ? "moving-axes" : "moving-axes-" + std::to_string(before + 1);
-}
-
 Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                           const ScaleWish& wish) {
     const Solution& solution = context.solution;
@@ -126,9 +121,9 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
                            .strict = wish.strict,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
-    const std::string name = moving_axes_name(solution, index);
+    const Figure blank = begun(context, {FigureKind::moving_axes, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, name + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id + "-");
         draw_in_grey(sketch);
         const double reach = std::clamp(0.35 * sketch.size(), 12.0, 32.0);
         const double velocity_scale = speed > 0 ? choose_scale(speed, 0, reach, reach, std::nullopt) : 1;
@@ -137,16 +132,36 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
         draw_axes(sketch, apart, motion.query.observer, along);
         draw_seen(sketch, motion, velocity_scale, acceleration_scale);
         name_points(sketch);
-        Figure figure = sketch.finish(name, name, "m/s");
+        Figure figure = sketch.finish(blank, "m/s");
         figure.scale = velocity_scale;
         figure.has_scale = speed > 0;
         if (acceleration > 0)
             figure.further_scale = "1 mm ≙ " + shortest(acceleration_scale, context.language) + " m/s²";
-        figure.caption = one_piece(word(lang::sheet::moving_axes, context.language) + " " +
-                                   solution.mechanism.body(motion.query.observer).name);
+        figure.caption.back().text += " " + solution.mechanism.body(motion.query.observer).name;
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, solution.mechanism.units.length, trial.strict);
         return figure;
     });
 }
+
+namespace {
+
+std::vector<int> axes_of(const Shown& shown, const LoadCase& /*all*/) {
+    const std::vector<RelativeMotion>& all = shown.solution().relative_motion;
+    std::vector<int> found;
+    for (std::size_t i = 0; !shown.is_brief && i < all.size(); ++i)
+        if (has_moving_axes(all[i])) found.push_back(static_cast<int>(i));
+    return found;
+}
+void measure_axes(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_mechanism(shown, id, size);
+    size.least = 32;
+}
+Figure draw_moving_axes(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return moving_axes_figure(shown.context, at_index(id.of), room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions moving_axes_functions{axes_of, measure_axes, draw_moving_axes};
 
 }  // namespace kinegraph::render

@@ -78,7 +78,7 @@ public:
     }
 
     Figure draw() {
-        figure_.kind = "plot";
+        figure_.data_figure = "plot";
         figure_.id = id_;
         figure_.unit = y_unit_.symbol;
         figure_.has_scale = false;
@@ -88,7 +88,7 @@ public:
             append(figure_.caption, name(i));
         }
         place_frame();
-        figure_.marks.emplace_back(GroupBegin{"figure", id_, plain(figure_.caption), {{"data-figure", "plot"}}, none});
+        figure_.marks.emplace_back(group_of(figure_, false));
         draw_separations();
         draw_grid();
         draw_upright_lines();

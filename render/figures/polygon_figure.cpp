@@ -9,6 +9,8 @@
 
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -139,10 +141,10 @@ public:
         return with_parts(empty, parts_of(empty), {});
     }
     Figure empty_at(double scale) const {
-        Figure figure;
-        figure.kind = kind();
+        Figure figure =
+            begun(context_, {is_acceleration() ? FigureKind::acceleration_polygon : FigureKind::velocity_polygon});
         figure.id = legal_id(scene_.id);
-        figure.caption = caption();
+        add_motion(figure.caption);
         figure.scale = scale;
         figure.has_scale = !scene_.vectors.empty();
         figure.unit = scene_.unit.symbol;
@@ -171,14 +173,12 @@ public:
 
 private:
     bool is_acceleration() const { return scene_.kind == PolygonScene::Kind::acceleration; }
-    std::string kind() const { return is_acceleration() ? "acceleration" : "velocity"; }
     static Spot spot(const Figure& figure, Place p) { return {p.x / figure.scale, -p.y / figure.scale}; }
 
-    RichText caption() const {
+    /// Of which point it is, and as seen from where.
+    void add_motion(RichText& text) const {
         const Language language = context_.language;
-        RichText text = one_piece(
-            word(is_acceleration() ? lang::sheet::acceleration_polygon : lang::sheet::velocity_polygon, language));
-        if (scene_.point.empty()) return text;
+        if (scene_.point.empty()) return;
         text.back().text += word(lang::notation::colon, language);
         append(text, typeset(Symbol{Symbol::Letter::point, scene_.point, ""}, language));
         append(text,
@@ -188,7 +188,6 @@ private:
                    " ");
         append(text, scene_.translating ? typeset(Symbol{Symbol::Letter::point, scene_.observer, ""}, language)
                                         : one_piece(scene_.observer));
-        return text;
     }
 
     /// The image is similar to the body: a tint, with an edge where there is no vector. If the points are collinear,
@@ -531,5 +530,32 @@ Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, 
                       const ScaleWish& wish) {
     return Fitting(PolygonDrawing(context, scene), context, {room_x, room_y}, wish).fitted();
 }
+
+namespace {
+
+template <Plane plane>
+std::vector<int> polygons_in(const Shown& shown, const LoadCase& /*all*/) {
+    const std::vector<Polygon>& polygons = shown.solution().protocol.polygons;
+    std::vector<int> found;
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        if (polygons[i].plane == plane) found.push_back(static_cast<int>(i));
+    return found;
+}
+void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
+    const PolygonScene& scene = shown.scene(id.of);
+    size.extent_x = scene.width();
+    size.extent_y = scene.height();
+    size.empty = scene.empty();
+    size.has_corner = !size.empty;
+}
+Figure draw_polygon(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return polygon_figure(shown.context, shown.scene(id.of), room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions velocity_polygon_functions{polygons_in<Plane::velocity>, measure_polygon, draw_polygon};
+constinit const FigureFunctions acceleration_polygon_functions{polygons_in<Plane::acceleration>, measure_polygon,
+                                                               draw_polygon};
 
 }  // namespace kinegraph::render

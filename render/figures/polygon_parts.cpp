@@ -469,7 +469,7 @@ double radius_of(const Detail& detail) { return detail.magnification * detail.ra
 
 Figure blank_inset(const Figure& figure, const DrawingContext& context, const Detail& detail) {
     Figure inset;
-    inset.kind = "detail";
+    inset.data_figure = "detail";
     inset.id = figure.id + "-detail-" + detail.letter;
     inset.caption = one_piece(word(lang::sheet::detail, context.language) + " " + detail.letter);
     inset.scale = detail.scale;
@@ -802,12 +802,7 @@ private:
 }  // namespace
 
 void open_group(Figure& figure, StatementIndex statement) {
-    figure.marks.emplace_back(
-        GroupBegin{"figure",
-                   figure.id,
-                   plain(figure.caption),
-                   {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
-                   statement});
+    figure.marks.emplace_back(group_of(figure, true, statement));
 }
 
 void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before) {

@@ -11,16 +11,12 @@ namespace kinegraph::render {
 Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit,
              Language language) {
     Figure figure;
-    figure.kind = kind;
+    figure.data_figure = kind;
     figure.id = id;
     figure.caption = one_piece(in(caption, language));
     figure.scale = scale;
     figure.unit = unit;
-    figure.marks.emplace_back(GroupBegin{"figure",
-                                         id,
-                                         plain(figure.caption),
-                                         {{"data-figure", kind}, {"data-scale", shortest(scale)}, {"data-unit", unit}},
-                                         none});
+    figure.marks.emplace_back(group_of(figure));
     return figure;
 }
 

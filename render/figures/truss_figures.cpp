@@ -6,11 +6,13 @@
 
 #include "engine/number/assert.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
+#include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
 
@@ -434,13 +436,10 @@ public:
     double height() const { return scene_.height(); }
 
     Figure at(double scale) const {
-        Figure figure;
-        figure.kind = "closure";
-        figure.id = "cremona";
-        figure.caption = one_piece(word(lang::sheet::cremona, context_.language));
+        Figure figure = begun(context_, {FigureKind::force_plan});
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
-        open(figure);
+        figure.marks.emplace_back(group_of(figure));
         draw_bars(figure);
         draw_outer(figure);
         name_corners(figure);
@@ -449,14 +448,6 @@ public:
     }
 
 private:
-    static void open(Figure& figure) {
-        figure.marks.emplace_back(GroupBegin{
-            "figure",
-            figure.id,
-            plain(figure.caption),
-            {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
-            none});
-    }
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
     const Polygon& polygon() const { return solution_.protocol.polygons[at_index(truss_.polygon)]; }
     Place place(ElementIndex element) const {
@@ -607,6 +598,8 @@ private:
 
 }  // namespace
 
+namespace {
+
 Box extent_of_truss(const Solution& solution) {
     const Subject subject(solution);
     Box extent = subject.box;
@@ -619,10 +612,7 @@ Box extent_of_truss(const Solution& solution) {
     return extent;
 }
 
-Box extent_of_plan(const Solution& solution) {
-    const PolygonScene scene = polygon_scene(solution, solution.truss->polygon);
-    return rectangle(0, 0, scene.width(), scene.height());
-}
+}  // namespace
 
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Subject subject(context.solution);
@@ -639,8 +629,7 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y,
         Sketch sketch(subject, context, trial.scale, "truss-");
         SpaceDiagram(sketch).draw();
         name_points(sketch);
-        Figure figure = sketch.finish("truss", "truss", "m");
-        figure.caption = one_piece(word(lang::sheet::truss, context.language));
+        Figure figure = sketch.finish(begun(context, {FigureKind::truss}), "m");
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
         return figure;
     });
@@ -666,5 +655,40 @@ Figure cremona_figure(const DrawingContext& context, double room_x, double room_
         return figure;
     });
 }
+
+namespace {
+
+std::vector<int> has_truss(const Shown& shown, const LoadCase& /*all*/) {
+    return once(shown.solution().truss != std::nullopt);
+}
+void measure_truss(const Shown& shown, FigureId id, SizeWanted& size) {
+    measure_mechanism(shown, id, size);
+    const double bars = size.extent();
+    size.take(extent_of_truss(shown.solution()));
+    // The bars; strings run between their letters, too.
+    constexpr double least_of_bars = 48, nothing = 1e-30;
+    size.least = least_of_bars * size.extent() / std::max(bars, nothing);
+    size.weight = 1.5;
+}
+Figure draw_truss(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return truss_figure(shown.context, room.x, room.y, wish);
+}
+
+std::vector<int> has_force_plan(const Shown& shown, const LoadCase& /*all*/) {
+    return once(has_plan(shown.solution()));
+}
+void measure_force_plan(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    const PolygonScene scene = polygon_scene(shown.solution(), shown.solution().truss->polygon);
+    size.extent_x = scene.width();
+    size.extent_y = scene.height();
+}
+Figure draw_force_plan(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
+    return cremona_figure(shown.context, room.x, room.y, wish);
+}
+
+}  // namespace
+
+constinit const FigureFunctions truss_functions{has_truss, measure_truss, draw_truss};
+constinit const FigureFunctions force_plan_functions{has_force_plan, measure_force_plan, draw_force_plan};
 
 }  // namespace kinegraph::render

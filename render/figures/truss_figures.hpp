@@ -6,9 +6,6 @@
 
 namespace kinegraph::render {
 
-/// Extents of the space diagram, m, and of the force plan, in the unit of force of the file.
-Box extent_of_truss(const Solution& solution);
-Box extent_of_plan(const Solution& solution);
 /// Kind and id "truss": bars by sense (groups of class "bar"), loads and reactions (of class "force"), letters of the
 /// spaces, the line of the resultant of given forces, cuts with their lever arms.
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});

@@ -59,7 +59,7 @@ public:
     }
 
     Figure draw() {
-        figure_.kind = "plot";
+        figure_.data_figure = "plot";
         figure_.id = plot_.id;
         figure_.unit = plot_.y_unit;
         figure_.has_scale = false;
@@ -75,8 +75,7 @@ public:
             const double unit = std::max(x_.width() / frame_.width(), y_.width() / frame_.height());
             frame_.max = {frame_.min.x + x_.width() / unit, frame_.min.y + y_.width() / unit};
         }
-        figure_.marks.emplace_back(
-            GroupBegin{"figure", plot_.id, plain(figure_.caption), {{"data-figure", "plot"}}, none});
+        figure_.marks.emplace_back(group_of(figure_, false));
         draw_x();
         draw_y();
         // The first curve is on top.

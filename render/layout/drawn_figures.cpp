@@ -38,9 +38,8 @@ void DrawnFigures::take(const SheetPlan& plan) {
 void DrawnFigures::enrich() {
     for (auto& [band, figures] : by_band_)
         for (DrawnFigure& drawn : figures) {
-            const Wanted& wanted = wanted_.list[drawn.wanted];
-            if (!wanted.enrich) continue;
-            Figure more = wanted.enrich(drawn.figure, {drawn.room.width(), drawn.room.height() - drawn.caption});
+            Figure more =
+                wanted_.enriched(drawn.wanted, drawn.figure, {drawn.room.width(), drawn.room.height() - drawn.caption});
             if (more.scale != any_scale) drawn.figure = std::move(more);
         }
 }

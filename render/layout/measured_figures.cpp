@@ -140,7 +140,7 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wa
 /// Only with the scale that is kept. What was left out to save room stays so.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wanted, std::vector<Measure> all) const {
     if (!kept_ || wanted.asked) return all;
-    const auto scale = kept_->of_figures.find(wanted.kept_as());
+    const auto scale = kept_->of_figures.find(wanted_.kept_as(wanted.id));
     if (scale == kept_->of_figures.end()) return all;
     if (kept_->hold == KeptScales::Hold::not_coarser)
         std::erase_if(all, [&](const Measure& each) { return each.scale > scale->second * (1 + rounding); });
@@ -212,8 +212,7 @@ std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
             known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
             known[i].wish.strict == measure.wish.strict && known[i].wish.exactly == measure.wish.exactly)
             return i;
-    const Wanted& wanted = wanted_.list[figure];
-    Drawing drawing{measure.room, measure.wish, wanted.draw(measure.room, measure.wish)};
+    Drawing drawing{measure.room, measure.wish, wanted_.draw(figure, measure.room, measure.wish)};
     known.push_back(std::move(drawing));
     return known.size() - 1;
 }

@@ -205,7 +205,8 @@ double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& 
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
-        if (drawn.figure.kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = drawn.figure.scale;
+        if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
+            scale_of_mechanism = drawn.figure.scale;
         down += drawn.height() + gap;
         below = stacked ? down - gap : std::max(below, drawn.height());
     }

@@ -59,7 +59,8 @@ KeptScales SheetPlan::scales() const {
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
         for (std::size_t f = 0; f < layout.rooms.size(); ++f)
             if (layout.rooms[f].x > 0)
-                kept.of_figures[wanted_.list[bands_.list[placed.band].figures[f]].kept_as()] = layout.sizes[f].scale;
+                kept.of_figures[wanted_.kept_as(wanted_.list[bands_.list[placed.band].figures[f]].id)] =
+                    layout.sizes[f].scale;
     });
     return kept;
 }

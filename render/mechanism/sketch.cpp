@@ -30,10 +30,8 @@ LabelRequest& Sketch::add_label(RichText text, Colour colour, Spot at, double cl
     return labels.back();
 }
 
-Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_name) {
-    Figure figure;
-    figure.kind = std::move(kind);
-    figure.id = std::move(figure_id);
+Figure Sketch::finish(Figure blank, std::string unit_name) {
+    Figure figure = std::move(blank);
     figure.scale = figure.places = scale();
     figure.unit = std::move(unit_name);
     // Links, joints, centres and vectors have nested groups.
@@ -67,12 +65,7 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
     std::vector<Mark> bar;
     draw_scale_bar(bar, context.fonts, theme, {0, 0}, target, bar_scale, bar_unit.si.to_double(), bar_unit.symbol,
                    context.language);
-    figure.marks.insert(
-        figure.marks.begin(),
-        GroupBegin{"figure",
-                   figure.id,
-                   plain(figure.caption),
-                   {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
+    figure.marks.insert(figure.marks.begin(), group_of(figure));
     figure.marks.emplace_back(GroupEnd{});
     const Box size_of_bar = box_of(bar);
     const Spot bar_size{size_of_bar.width(), size_of_bar.height()};

@@ -48,8 +48,8 @@ public:
         return {width, colour.line, std::move(colour.dashes), false};
     }
 
-    /// Combines all layers into one figure.
-    Figure finish(std::string kind, std::string figure_id, std::string unit_name);
+    /// Fills a figure without marks with all layers.
+    Figure finish(Figure blank, std::string unit_name);
     /// Completes a figure: adds the scale bar below, places the labels, groups everything and moves the top left corner
     /// to the origin.
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit,

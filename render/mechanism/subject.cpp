@@ -98,10 +98,4 @@ bool Subject::touches_there(BodyIndex body, PointIndex point) const {
     return touched;
 }
 
-std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure) {
-    for (const AskedScale& scale : mechanism.scales)
-        if (scale.figure == figure) return scale.per_millimetre.to_double();
-    return std::nullopt;
-}
-
 }  // namespace kinegraph::render::drawing

@@ -53,7 +53,4 @@ private:
     void measure();
 };
 
-/// The scale that the file prescribes for a figure, SI units per mm.
-std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure);
-
 }  // namespace kinegraph::render::drawing

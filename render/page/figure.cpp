@@ -2,6 +2,7 @@
 #include "render/page/figure.hpp"
 
 #include "render/page/shapes.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::render {
 
@@ -26,6 +27,14 @@ void Figure::move(double dx, double dy) {
     shift(box.min);
     shift(box.max);
     shift(origin);
+}
+
+GroupBegin group_of(const Figure& figure, bool to_scale, StatementIndex statement) {
+    GroupBegin group{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.data_figure}}, statement};
+    if (!to_scale) return group;
+    group.attributes.emplace_back("data-scale", shortest(figure.scale));
+    group.attributes.emplace_back("data-unit", figure.unit);
+    return group;
 }
 
 std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {

@@ -2,11 +2,13 @@
 // moves figures and never scales them: the scale is chosen when the figure is made.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/file/units.hpp"
 #include "render/page/page.hpp"
 
 namespace kinegraph::render {
@@ -57,8 +59,21 @@ struct DetailOn {
     double radius = 0;
 };
 
+/// What the readers of a figure may do with it; the same for all figures of a kind.
+struct FigureTraits {
+    /// The results whose constructions need the figure.
+    enum class Needed : std::uint8_t { never, always, velocities, accelerations, forces };
+
+    std::optional<QuantityKind> measured{};  ///< what its scale measures: lengths of the mechanism, or vectors
+    Needed needed = Needed::never;
+    bool lists_scale = true;      ///< among the scales of an exercise
+    bool names_unknowns = false;  ///< of the closure equations
+    bool has_bars = false;        ///< with the forces of a truss as lengths
+};
+
 struct Figure {
-    std::string kind;                  ///< data-figure: mechanism, centres, velocity, acceleration, …
+    FigureTraits traits;
+    std::string data_figure;           ///< text of its attribute data-figure: mechanism, centres, velocity, …
     std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
     RichText caption;                  ///< without number and scale
     double scale = 1;                  ///< units of `unit` per mm
@@ -79,10 +94,14 @@ struct Figure {
     // Filled in by the drawing functions.
     std::vector<DrawnAxis> axes;    ///< all vectors drawn to the figure's scale or to a detail's
     std::vector<DetailOn> details;  ///< in drawing order; nested details after their parents
+    std::vector<int> polygons;      ///< of forces that it shows, by their indices in the protocol
 
     void move(double dx, double dy);
     static Figure empty_at(double scale);
 };
+
+/// Opens its group, with scale and unit if it is `to_scale`.
+GroupBegin group_of(const Figure& figure, bool to_scale = true, StatementIndex statement = none);
 
 /// The longest drawn length of the vector with that data-name, in its detail if it has one. Empty if the figure does
 /// not draw it.

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
-#include <variant>
 
 #include "lang/keys/sheet.hpp"
 #include "render/content/bands.hpp"
@@ -31,9 +29,7 @@ public:
         bool open = false;
         for (const Figure& figure : figures) {
             if (&figure == &figures.front() || !figure.has_scale) continue;
-            if (figure.kind != "velocity" && figure.kind != "acceleration" && figure.kind != "forces" &&
-                figure.kind != "closure")
-                continue;
+            if (!figure.traits.measured || figure.traits.measured == QuantityKind::length) continue;
             if (!is_drawn_for_sought(context_.solution.mechanism, figure)) continue;
             Room room = room_of(figure);
             const auto down_to = [](double length, double most) {
@@ -62,24 +58,21 @@ private:
 
     /// The heading of a blank area: "Force triangle, body 3", "Closed polygon of the external forces".
     RichText name_of_room(const Figure& figure) const {
-        if (figure.kind != "forces") return figure.caption;
         const Solution& solution = context_.solution;
         RichText name = figure.caption;
-        std::set<std::string> polygons;
-        for (const Mark& mark : figure.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "figure")
-                polygons.insert(group->id);
+        const auto shows = [&](int polygon) {
+            return std::find(figure.polygons.begin(), figure.polygons.end(), polygon) != figure.polygons.end();
+        };
         const auto add = [&](Key what, const std::string& whom) {
             append(name, one_piece(", " + word(what, context_.language) + " " + whom));
         };
-        for (const FreeBody& body : solution.free_bodies) {
-            const std::string whom = name_of(solution, body), own = whom.substr(whom.find('-') + 1);
-            if (polygons.contains(legal_id("forces-" + own)))
-                add(body.body != none ? lang::sheet::body : lang::sheet::pin, own);
-        }
+        for (const FreeBody& body : solution.free_bodies)
+            if (shows(body.polygon) && body.body != none)
+                add(lang::sheet::body, solution.mechanism.body(body.body).name);
+            else if (shows(body.polygon))
+                add(lang::sheet::pin, solution.mechanism.point(body.pin).name);
         for (const TakenTogether& together : solution.taken_together)
-            if (polygons.contains(legal_id(name_of(solution, together))))
-                add(lang::sheet::bodies_together, names_of(solution.mechanism, together));
+            if (shows(together.polygon)) add(lang::sheet::bodies_together, names_of(solution.mechanism, together));
         return name;
     }
 
@@ -91,7 +84,7 @@ private:
         room.name = name_of_room(figure);
         append(room.name, one_piece("   "));
         append(room.name, scale_words(context_, figure));
-        const bool is_of_motion = figure.kind == "velocity" || figure.kind == "acceleration";
+        const bool is_of_motion = figure.traits.measured != QuantityKind::force;
         // A force polygon begins at the tail of its first side.
         const bool has_start = !is_of_motion && !figure.axes.empty() && figure.axes.front().detail.empty();
         room.has_pole = is_of_motion || has_start;

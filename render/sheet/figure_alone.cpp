@@ -1,9 +1,6 @@
 // Figures of the sheet, each on a page of its own size.
 #include "render/sheet/figure_alone.hpp"
 
-#include <algorithm>
-#include <functional>
-
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/notation.hpp"
 #include "render/content/title_block.hpp"
@@ -20,27 +17,17 @@ namespace {
 constexpr double margin = 4;           // round the figure, mm
 constexpr double tallest_alone = 130;  // mm; less than half a page, because the text of a book continues below
 
-struct Choice {
-    std::string name;
-    std::function<Figure(double room_x, double room_y)> draw;
-};
-
-std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
-    std::vector<Choice> all;
-    all.push_back({"mechanism", [&context](double x, double y) {
-                       const ScaleWish wish{0, drawing::asked_scale(context.solution.mechanism, "mechanism")};
-                       return context.solution.instantaneous_motion ? instantaneous_motion_figure(context, x, y, wish)
-                                                                    : mechanism_figure(context, x, y, false, wish);
-                   }});
-    for (Wanted& each : wanted.list)
-        if (each.name != "mechanism")
-            all.push_back({each.name, [&each](double x, double y) { return each.drawn_in({x, y}); }});
+/// The mechanism without centres, then the list.
+std::vector<FigureId> choices(const WantedFigures& wanted) {
+    const FigureId mechanism{FigureKind::mechanism};
+    std::vector<FigureId> all{mechanism};
+    for (const Wanted& each : wanted.list)
+        if (each.id != mechanism) all.push_back(each.id);
     return all;
 }
-
-}  // namespace
-
-namespace {
+Figure drawn_alone(const WantedFigures& wanted, FigureId id, Spot room) {
+    return draw_figure(wanted.shown(), id, room, {0, size_of(wanted.shown(), id).asked});
+}
 
 /// Moves the figure to the corner of a page of its size.
 AloneFigure cut_to(const DrawingContext& context, Figure figure) {
@@ -59,11 +46,11 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
                                              const SheetFormat& format, const std::string& name) {
-    WantedFigures wanted(context, options.joukowsky);
-    const std::vector<Choice> all = choices(context, wanted);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
-    if (found == all.end()) return std::nullopt;
-    return found->draw(2 * format.measure + gap, tallest_alone);
+    const WantedFigures wanted(context, options.joukowsky);
+    for (const FigureId id : choices(wanted))
+        if (name_of(context.solution, id) == name)
+            return drawn_alone(wanted, id, {2 * format.measure + gap, tallest_alone});
+    return std::nullopt;
 }
 
 }  // namespace
@@ -71,9 +58,9 @@ std::optional<Figure> mechanism_figure_named(const DrawingContext& context, cons
 std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     if (stands_for_joints(solution.mechanism)) return problem_figure_names(context);
-    WantedFigures wanted(context, options.joukowsky);
+    const WantedFigures wanted(context, options.joukowsky);
     std::vector<std::string> names;
-    for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
+    for (const FigureId id : choices(wanted)) names.push_back(name_of(solution, id));
     for (std::string& each : contact_figure_names(solution, options, fonts)) names.push_back(std::move(each));
     return names;
 }
@@ -108,12 +95,10 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
                 add(name, *std::move(figure));
         return all;
     }
-    WantedFigures wanted(context, options.joukowsky, options.detail);
-    const std::vector<Choice> drawn = choices(context, wanted);
-    for (const Choice& each : drawn) {
-        const auto index = wanted.named(each.name);
-        if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest_alone));
-    }
+    const WantedFigures wanted(context, options.joukowsky, options.detail);
+    for (const FigureId id : choices(wanted))
+        if (!row_of(id.kind).size.spare)
+            add(name_of(solution, id), drawn_alone(wanted, id, {2 * format.measure + gap, tallest_alone}));
     for (const std::string& name : contact_figure_names(solution, options, fonts))
         if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone}))
             add(name, *std::move(figure));

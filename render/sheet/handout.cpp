@@ -91,16 +91,14 @@ private:
         taken_ = figure.box;
         taken_.include(at);
         taken_.include(at + Spot{drawn_.caption_width, caption});
-        if (figure.kind == "mechanism") scale_ = figure.scale;
+        if (figure.traits.measured == QuantityKind::length) scale_ = figure.scale;
     }
     /// A finer scale for a question if the solution shows the mechanism too small for dimensions. Empty if the
     /// solution's scale is fine enough or given in the file.
     std::optional<double> finer_than_solved(const Figure& solved) const {
         constexpr double readable = 20, for_data = 56;  // mm; length of its longer side, and space round it
-        const std::vector<AskedScale>& asked = context_.solution.mechanism.scales;
-        const bool is_asked =
-            std::any_of(asked.begin(), asked.end(), [](const AskedScale& each) { return each.figure == "mechanism"; });
-        if (solved.kind != "mechanism" || is_asked || options_.kept) return std::nullopt;
+        const bool is_asked = asked_scale(context_.solution.mechanism, FigureKind::mechanism).has_value();
+        if (solved.traits.measured != QuantityKind::length || is_asked || options_.kept) return std::nullopt;
         const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
         if (std::max(extent.width(), extent.height()) >= readable * solved.scale) return std::nullopt;
         const double finer = choose_scale(extent.width(), extent.height(), std::max(room.width() - for_data, 1.0),
@@ -303,7 +301,7 @@ private:
     /// If the equations are asked for: the symbols to be used, so that answers can be compared.
     void add_loops() {
         for (const Figure& drawn : drawn_.figures) {
-            if (drawn.kind != "loops" || !seeks_equations()) continue;
+            if (!drawn.traits.names_unknowns || !seeks_equations()) continue;
             const Box content = content_of(format_, false);
             Figure figure = drawn;
             sheets_.emplace_back();

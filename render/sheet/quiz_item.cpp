@@ -10,6 +10,7 @@
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
 #include "render/content/title_block.hpp"
+#include "render/figures/figure.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/layout/page_plan.hpp"
 #include "render/problems/problem_sections.hpp"

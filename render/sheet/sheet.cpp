@@ -123,7 +123,7 @@ private:
         }
         if (followed_by.size() > most_listed)
             append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
-        if (!bands_.remark(wanted_.list[drawn.wanted].name + words.name(), text)) return false;
+        if (!bands_.remark(wanted_.name(drawn.wanted) + words.name(), text)) return false;
         plan_.texts().forget("remarks");
         return true;
     }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "lang/keys/sentences.hpp"
+#include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
@@ -20,33 +21,35 @@ std::vector<ShownStatement> StatementFigures::all() const {
     };
     for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
     for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
-    std::map<Topic, std::string> last_in;  // the last figure, by section
+    std::map<Topic, std::optional<FigureId>> last_in;  // the last figure, by section
     for (const StatementIndex i : in_order()) {
         const Statement& statement = this->statement(i);
-        std::string figure;
+        std::optional<FigureId> figure;
         const auto found = polygon_of.find(i);
         if (is_truss() && statement.section == Topic::forces)
             figure = figure_of_truss(i, found == polygon_of.end() ? -1 : found->second);
         else if (statement.section == Topic::forces)
             figure = figure_of_forces(i);
         else if (statement.section == Topic::curvature)
-            figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
+            figure = figure_of_curvature(statement.bodies.front());
         else if (found != polygon_of.end() && is_plane_of_motion(found->second))
-            figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
+            figure = motion_polygon(solution_, found->second);
         else if (statement.section == Topic::centres || statement.message.sentence == lang::sentences::second_way)
-            figure = "centres";
+            figure = {FigureKind::centres};
         else
             figure = last_in[statement.section];
-        if (figure.empty()) figure = first_polygon_of(statement.section);
-        if (!is_wanted(figure)) figure = "mechanism";
+        if (!figure) figure = first_polygon_of(statement.section);
+        if (!figure || !wanted_.named(*figure)) figure = {FigureKind::mechanism};
         if (statement.message.sentence != lang::sentences::second_way) last_in[statement.section] = figure;
-        all.push_back({i, figure});
+        all.push_back({i, *figure});
     }
     return all;
 }
 
-bool StatementFigures::is_wanted(const std::string& name) const {
-    return std::any_of(wanted_.list.begin(), wanted_.list.end(), [&](const Wanted& each) { return each.name == name; });
+FigureId StatementFigures::figure_of_curvature(BodyIndex body) const {
+    const std::vector<Curvature>& all = solution_.curvature;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Curvature& each) { return each.body == body; });
+    return {FigureKind::curvature, static_cast<int>(found - all.begin())};
 }
 
 std::vector<StatementIndex> StatementFigures::in_order() const {
@@ -64,24 +67,20 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
     return order;
 }
 
-std::string StatementFigures::figure_of_forces(StatementIndex statement) const {
-    const std::string load = load_at(statement);
-    if (solution_.superposition && solution_.superposition->statement == statement)
-        return is_wanted("sums") ? "sums" : "forces";
-    if (is_wanted("forces" + load) && completes_a_polygon({solution_, part_of(solution_, statement)}, statement))
-        return "forces" + load;
-    return load.empty() ? "lines-of-action" : "lines" + load;
-}
-
-std::string StatementFigures::figure_of_truss(StatementIndex statement, int polygon) const {
-    for (const TakenTogether& together : solution_.taken_together)
-        if (together.statement == statement) return render::name_of(solution_, together);
-    return polygon >= 0 && polygon == solution_.truss->polygon ? "cremona" : "truss";
-}
-
-std::string StatementFigures::load_at(StatementIndex statement) const {
+FigureId StatementFigures::figure_of_forces(StatementIndex statement) const {
     const LoadCase loads(solution_, part_of(solution_, statement));
-    return loads.is_alone() ? "-load-" + loads.load() : "";
+    const FigureId sums{FigureKind::partial_sums}, forces{FigureKind::forces, -1, loads.part()};
+    if (solution_.superposition && solution_.superposition->statement == statement)
+        return wanted_.named(sums) ? sums : forces;
+    if (wanted_.named(forces) && completes_a_polygon(loads, statement)) return forces;
+    return {FigureKind::lines_of_action, -1, loads.part()};
+}
+
+FigureId StatementFigures::figure_of_truss(StatementIndex statement, int polygon) const {
+    const std::vector<TakenTogether>& groups = solution_.taken_together;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (groups[i].statement == statement) return {FigureKind::forces_together, static_cast<int>(i)};
+    return {polygon >= 0 && polygon == solution_.truss->polygon ? FigureKind::force_plan : FigureKind::truss};
 }
 
 bool StatementFigures::completes_a_polygon(const LoadCase& loads, StatementIndex statement) {
@@ -95,11 +94,12 @@ bool StatementFigures::is_plane_of_motion(int polygon) const {
     return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
 }
 
-std::string StatementFigures::first_polygon_of(Topic section) const {
-    for (const Polygon& polygon : solution_.protocol.polygons)
-        if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity))
-            return polygon.id;
-    return "";
+std::optional<FigureId> StatementFigures::first_polygon_of(Topic section) const {
+    const std::vector<Polygon>& polygons = solution_.protocol.polygons;
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        if (polygons[i].plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity))
+            return motion_polygon(solution_, static_cast<int>(i));
+    return std::nullopt;
 }
 
 std::set<std::string> names_cited(const Solution& solution, const std::vector<StatementIndex>& indices,

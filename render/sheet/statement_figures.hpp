@@ -1,6 +1,7 @@
 // Maps each statement of the solution to the figure that shows it.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace kinegraph::render {
 
 struct ShownStatement {
     StatementIndex statement;
-    std::string figure;  ///< a name in WantedFigures, or "mechanism"
+    FigureId figure;  ///< of WantedFigures, or the mechanism
 };
 
 class StatementFigures {
@@ -22,25 +23,23 @@ public:
     StatementFigures(const Solution& solution, const WantedFigures& wanted) : solution_(solution), wanted_(wanted) {}
 
     std::vector<ShownStatement> all() const;
-    /// The suffix of a figure name, such as "-load-3". Empty: all loads.
-    std::string load_at(StatementIndex statement) const;
     /// Whether it is a truss whose bars are not cut free one by one.
     bool is_truss() const { return solution_.truss && solution_.free_bodies.empty(); }
 
 private:
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
-    bool is_wanted(const std::string& name) const;
     /// Statements by section, in the order in which sections begin: a sliding found after the centres stands with its
     /// polygon. A second derivation of a result follows the section of the first.
     std::vector<StatementIndex> in_order() const;
     /// For all loads or for those that act alone.
-    std::string figure_of_forces(StatementIndex statement) const;
+    FigureId figure_of_forces(StatementIndex statement) const;
     /// `polygon`: the polygon in which it draws; −1: none.
-    std::string figure_of_truss(StatementIndex statement, int polygon) const;
+    FigureId figure_of_truss(StatementIndex statement, int polygon) const;
     static bool completes_a_polygon(const LoadCase& loads, StatementIndex statement);
     bool is_plane_of_motion(int polygon) const;
-    std::string first_polygon_of(Topic section) const;
+    FigureId figure_of_curvature(BodyIndex body) const;
+    std::optional<FigureId> first_polygon_of(Topic section) const;
 
     const Solution& solution_;
     const WantedFigures& wanted_;

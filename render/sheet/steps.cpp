@@ -15,6 +15,7 @@
 #include "render/content/wanted_figures.hpp"
 #include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
+#include "render/figures/figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
@@ -107,7 +108,7 @@ std::vector<Mark> segments_read(const DrawingContext& context, const std::vector
                                 const Figure& mechanism) {
     std::vector<Mark> marks;
     const Solution& solution = context.solution;
-    if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
+    if (mechanism.traits.measured != QuantityKind::length || !(mechanism.scale > 0)) return marks;
     const auto spot = [&](PointIndex point) {
         const Vector& at = solution.pose.at(point);
         return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
@@ -174,7 +175,7 @@ public:
 private:
     /// The content of one page.
     struct Step {
-        std::string figure;  ///< a name in wanted_, or "mechanism"
+        FigureId figure;  ///< of wanted_, or the mechanism
         Topic section = Topic::unnamed;
         std::vector<StatementIndex> statements;
         std::vector<Block> rows;
@@ -199,17 +200,23 @@ private:
         for (std::size_t s = 0; s < steps_.size(); ++s)
             for (const StatementIndex statement : steps_[s].statements) page_of_[at_index(statement)] = s;
         for (const Wanted& wanted : wanted_.list) {
-            if (!wanted.name.starts_with("closure")) continue;
-            Step joined{wanted.name, Topic::forces, {}, {}, 0, false, true};
+            if (wanted.id.kind != FigureKind::closed_polygon || is_of_resultant(wanted.id.of)) continue;
+            Step joined{wanted.id, Topic::forces, {}, {}, 0, false, true};
             joined.rows.push_back(paragraph(one_piece(word(lang::sheet::polygons_joined, context_.language))));
             steps_.push_back(std::move(joined));
         }
-        if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
+        if (steps_.empty()) steps_.push_back({{FigureKind::mechanism}, Topic::unnamed, {}, {}, 0, false, true});
+    }
+
+    /// A polygon that a statement draws to find a resultant.
+    bool is_of_resultant(int polygon) const {
+        return std::any_of(solution_.resultants.begin(), solution_.resultants.end(),
+                           [&](const Resultant& each) { return each.polygon == polygon; });
     }
 
     /// A statement that draws or marks something has its own page. Any other one joins the page before it in its
     /// section, or the page after it if it begins the section.
-    void add(StatementIndex index, const std::string& figure) {
+    void add(StatementIndex index, FigureId figure) {
         const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
@@ -272,30 +279,28 @@ private:
 
     // --- figures
 
-    Figure draw(const std::string& name, const DrawingContext& context, double room_x, double room_y) {
-        if (name == "forces") {
-            auto asked = drawing::asked_scale(solution_.mechanism, "forces");
-            if (!asked) asked = drawing::asked_scale(solution_.mechanism, "closure");
+    Figure draw(FigureId id, const DrawingContext& context, double room_x, double room_y) {
+        if (id == FigureId{FigureKind::forces}) {
+            auto asked = asked_scale(solution_.mechanism, id.kind);
             if (asked) *asked /= solution_.mechanism.units.force.si.to_double();
             return force_polygons_figure(context, room_x, room_y, {0, asked}, false);
         }
-        if (name == "omega" || name == "alpha")
-            return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha,
-                                           room_x, room_y);
-        for (Wanted& wanted : wanted_.list)
-            if (wanted.name == name) return wanted.drawn_in({room_x, room_y});
-        const ScaleWish wish{0, drawing::asked_scale(solution_.mechanism, "mechanism")};
+        if (id.kind == FigureKind::omega || id.kind == FigureKind::alpha)
+            return mechanism_with_turnings(
+                context, id.kind == FigureKind::omega ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x, room_y);
+        if (const auto index = wanted_.named(id)) return wanted_.draw_in(*index, {room_x, room_y});
+        const ScaleWish wish{0, asked_scale(solution_.mechanism, FigureKind::mechanism)};
         if (solution_.instantaneous_motion) return instantaneous_motion_figure(context, room_x, room_y, wish);
         return mechanism_figure(context, room_x, room_y, false, wish);
     }
 
-    const Placed& large(const std::string& name) {
-        const auto [found, fresh] = large_figures_.try_emplace(name);
+    const Placed& large(FigureId id) {
+        const auto [found, fresh] = large_figures_.try_emplace(id);
         Placed& placed = found->second;
         if (!fresh) return placed;
         Box room = large_;
         room.min.y += 12;
-        placed.figure = draw(name, context_, room.width(), room.height());
+        placed.figure = draw(id, context_, room.width(), room.height());
         const int number = static_cast<int>(large_figures_.size());
         room.min.y = large_.min.y + std::max(12.0, set_caption(placed.caption, context_, placed.figure, number,
                                                                large_.min, large_.width()));
@@ -307,25 +312,27 @@ private:
 
     /// The small figure beside a figure: the mechanism with angular velocities or lines of action; beside the mechanism
     /// the circle diagram, or nothing.
+    std::optional<FigureId> beside(const Step& step) const {
+        const FigureId id = step.figure;
+        if (id.kind == FigureKind::lines_of_action || id.kind == FigureKind::mechanism || id.kind == FigureKind::truss)
+            return std::nullopt;
+        if (id.kind == FigureKind::centres) return FigureId{FigureKind::circle_diagram};
+        const bool is_of_forces = step.section == Topic::forces;
+        if (id.kind == FigureKind::force_plan || (shown_by_.is_truss() && is_of_forces))
+            return FigureId{FigureKind::truss};
+        if (id.kind == FigureKind::forces && id.part != all_loads)
+            return FigureId{FigureKind::lines_of_action, -1, id.part};
+        if (is_of_forces) return FigureId{FigureKind::lines_of_action};
+        if (solution_.instantaneous_motion) return FigureId{FigureKind::mechanism};
+        return FigureId{step.section == Topic::acceleration ? FigureKind::alpha : FigureKind::omega};
+    }
     const Figure& small(const Step& step) {
-        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss" ||
-                            step.figure.starts_with("lines-load-");
-        std::string name = itself ? "" : "mechanism";
-        if (step.figure == "centres")
-            name = "circle-diagram";
-        else if (step.figure == "cremona" || (!itself && shown_by_.is_truss() && step.section == Topic::forces))
-            name = "truss";
-        else if (!itself && step.figure.starts_with("forces-load-"))
-            name = "lines" + step.figure.substr(std::string_view("forces").size());
-        else if (!itself && step.section == Topic::forces)
-            name = "lines-of-action";
-        else if (!itself && !solution_.instantaneous_motion)
-            name = step.section == Topic::acceleration ? "alpha" : "omega";
-        const auto [found, fresh] = small_figures_.try_emplace(name);
-        if (!fresh || name.empty()) return found->second;
+        const std::optional<FigureId> id = beside(step);
+        const auto [found, fresh] = small_figures_.try_emplace(id);
+        if (!fresh || !id) return found->second;
         Figure& figure = found->second;
-        if (name != "circle-diagram")
-            figure = draw(name, beside_context_, small_.width(), small_.height());
+        if (id->kind != FigureKind::circle_diagram)
+            figure = draw(*id, beside_context_, small_.width(), small_.height());
         else if (solution_.mechanism.bodies.size() >= 3)
             figure = circle_diagram(context_, small_.width(), small_.height());
         figure.move(small_.min.x - figure.box.min.x + 0.5 * (small_.width() - figure.box.width()),
@@ -349,7 +356,8 @@ private:
             names = names_cited(solution_, step.statements, context_.language);
             const std::set<std::string> found =
                 Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
-            segments = segments_read(context_, step.statements, beside.kind == "mechanism" ? beside : placed.figure);
+            segments = segments_read(context_, step.statements,
+                                     beside.traits.measured == QuantityKind::length ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
         }
@@ -361,7 +369,8 @@ private:
             std::vector<Mark> shown =
                 revealed(figure->marks, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
-            if (figure->kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = figure->scale;
+            if (figure->traits.measured == QuantityKind::length && !scale_of_mechanism)
+                scale_of_mechanism = figure->scale;
         }
         marks.insert(marks.end(), segments.begin(), segments.end());
         if (!step.rows.empty()) {
@@ -380,10 +389,11 @@ private:
     /// The same, with the names used in figures for the loads of one body alone.
     std::set<std::string> groups_shown(const Step& step) const {
         std::set<std::string> groups = groups_spoken_of(solution_, step.statements);
-        const std::string load = step.statements.empty() ? "" : shown_by_.load_at(step.statements.front());
-        if (load.empty()) return groups;
+        if (step.statements.empty()) return groups;
+        const LoadCase loads(solution_, part_of(solution_, step.statements.front()));
+        if (!loads.is_alone()) return groups;
         std::set<std::string> alone;
-        for (const std::string& group : groups) alone.insert(legal_id(load.substr(1)) + "-" + group);
+        for (const std::string& group : groups) alone.insert(legal_id("load-" + loads.load()) + "-" + group);
         return alone;
     }
     std::string heading_of(const Step& step) const {
@@ -405,8 +415,8 @@ private:
     Box large_, small_, prose_;
     std::vector<Step> steps_;
     std::vector<std::size_t> page_of_;  // by statement
-    std::map<std::string, Placed> large_figures_;
-    std::map<std::string, Figure> small_figures_;
+    std::map<FigureId, Placed> large_figures_;
+    std::map<std::optional<FigureId>, Figure> small_figures_;
 };
 
 /// Whether a label has one of these names, or a group has one as its id, its `data-name` or, for a centre, its title.

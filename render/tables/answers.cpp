@@ -59,8 +59,8 @@ public:
           motion_(result_rows(context, drawn)),
           forces_(force_rows(context, drawn)) {
         for (const Figure& figure : drawn) {
-            if (!length_scale_ && figure.kind == "mechanism" && figure.unit == "m") length_scale_ = figure.scale;
-            if (figure.kind == "forces" || figure.kind == "closure")
+            if (!length_scale_ && figure.traits.measured == QuantityKind::length) length_scale_ = figure.scale;
+            if (figure.traits.measured == QuantityKind::force)
                 force_scale_ = std::max(force_scale_.value_or(0), figure.scale * mechanism_.units.force.si.to_double());
         }
     }
@@ -402,18 +402,13 @@ bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanis
 double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, const Units& units) {
     for (const Figure& figure : drawn) {
         if (!figure.has_scale) continue;
-        const bool forces = figure.kind == "forces" || figure.kind == "closure";
+        if (figure.traits.measured != kind) continue;
         // Polygons: in the file's unit per millimetre.
-        const Unit* unit = forces                          ? &units.force
-                           : figure.kind == "velocity"     ? &units.velocity
-                           : figure.kind == "acceleration" ? &units.acceleration
-                                                           : nullptr;
-        const double scale = unit == nullptr ? figure.scale : figure.scale * unit->si.to_double();
-        const bool fits = kind == QuantityKind::length         ? figure.kind == "mechanism" && figure.unit == "m"
-                          : kind == QuantityKind::velocity     ? figure.kind == "velocity"
-                          : kind == QuantityKind::acceleration ? figure.kind == "acceleration"
-                                                               : kind == QuantityKind::force && forces;
-        if (fits) return reading_by_hand * scale;
+        const Unit* unit = kind == QuantityKind::force          ? &units.force
+                           : kind == QuantityKind::velocity     ? &units.velocity
+                           : kind == QuantityKind::acceleration ? &units.acceleration
+                                                                : nullptr;
+        return reading_by_hand * (unit == nullptr ? figure.scale : figure.scale * unit->si.to_double());
     }
     return 0;
 }

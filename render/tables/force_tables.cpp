@@ -233,7 +233,7 @@ private:
 std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
     std::optional<Measured> longest;  // the first, unless it has a detail
     for (const Figure& figure : figures) {
-        if (figure.kind != "forces" && figure.kind != "closure") continue;
+        if (figure.traits.measured != QuantityKind::force) continue;
         auto found = measured_on(figure, name);
         if (found && (!longest || found->millimetres > longest->millimetres)) longest = std::move(found);
     }

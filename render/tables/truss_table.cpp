@@ -66,7 +66,7 @@ Key sense_word(const Truss& truss, std::size_t bar, double value) {
 
 Measured measured_or(const std::vector<Figure>& figures, const std::string& name, bool& found) {
     for (const Figure& figure : figures)
-        if (figure.id == "cremona")
+        if (figure.traits.has_bars)
             if (const auto length = measured_on(figure, name)) {
                 found = true;
                 return *length;

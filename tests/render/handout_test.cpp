@@ -319,7 +319,7 @@ TEST(Answers, AreReadOffVectorsAcrossTheirOwnBody) {
         const DrawnSheet sheet = draw_solution(solution, options, fonts());
         double length_scale = 0, acceleration_scale = 0;
         for (const Figure& figure : sheet.figures) {
-            if (figure.kind == "mechanism") length_scale = figure.scale;
+            if (figure.traits.measured == QuantityKind::length) length_scale = figure.scale;
             if (figure.id == "acceleration") acceleration_scale = figure.scale;
         }
         ASSERT_GT(acceleration_scale, 0);

@@ -115,9 +115,9 @@ TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     const WantedFigures wanted(context, false);
-    const auto velocity = wanted.named("velocity");
+    const auto velocity = wanted.named({FigureKind::velocity_polygon, 0});
     ASSERT_TRUE(velocity);
-    const Figure figure = wanted.list[*velocity].drawn_in({200, 150});
+    const Figure figure = wanted.draw_in(*velocity, {200, 150});
     EXPECT_EQ(figure.unit, "mm/s");
     EXPECT_DOUBLE_EQ(figure.scale, 10);
     expect_measures(figure);

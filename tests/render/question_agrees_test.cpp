@@ -223,8 +223,9 @@ TEST(Key, ReadsWhatHasNoVectorOnItsFigureInTheFilesUnits) {
                    {"revolute": "O4", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 10}], "ask": ["v B"]})");
     const SheetOptions options;
     const std::vector<Figure> drawn = draw_solution(solution, options, fonts()).figures;
-    const auto polygon =
-        std::find_if(drawn.begin(), drawn.end(), [](const Figure& figure) { return figure.kind == "velocity"; });
+    const auto polygon = std::find_if(drawn.begin(), drawn.end(), [](const Figure& figure) {
+        return figure.traits.measured == QuantityKind::velocity;
+    });
     ASSERT_NE(polygon, drawn.end());
     const Column column = asked_columns(solution.mechanism).front();
     EXPECT_NEAR(reading_tolerance({}, drawn, column, 1, solution.mechanism), 0.5 * polygon->scale * 0.0254, 1e-12);

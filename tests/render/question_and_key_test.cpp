@@ -229,7 +229,7 @@ TEST(Key, TellsComponentsAndAnglesByTheirValues) {
     EXPECT_EQ(key[1].section, Topic::velocity);
     ASSERT_TRUE(key[1].tolerance);
     for (const Figure& figure : sheet.figures)
-        if (figure.kind == "velocity") {
+        if (figure.traits.measured == QuantityKind::velocity) {
             EXPECT_NEAR(*key[1].tolerance, 0.5 * figure.scale, 1e-9);
         }
 }
