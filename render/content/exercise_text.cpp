@@ -2,7 +2,6 @@
 #include "render/content/exercise_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -354,19 +353,6 @@ RichText name_of_scale(const DrawingContext& context, const Figure& figure, cons
 
 namespace {
 
-/// Units per mm; 0 if it is not drawn.
-double scale_of_detail(const Figure& figure, const DetailOn& detail) {
-    for (const Mark& mark : figure.marks) {
-        const auto* group = std::get_if<GroupBegin>(&mark);
-        if (group == nullptr || group->cls != "figure" || group->id != detail.id) continue;
-        double scale = 0;
-        if (const std::string* text = group->attribute("data-scale"))
-            std::from_chars(text->data(), text->data() + text->size(), scale);
-        return scale;
-    }
-    return 0;
-}
-
 /// Adds the scales of details in which results are read: "Velocity polygon, detail for v_D: 1 mm ≙ 0.002 m/s".
 void add_scales_of_details(const DrawingContext& context, const Figure& figure, const std::vector<Answer>& sought,
                            const RichText& name, std::vector<RichText>& rows) {
@@ -384,7 +370,7 @@ void add_scales_of_details(const DrawingContext& context, const Figure& figure, 
         }
         Figure own;
         own.unit = figure.unit;
-        own.scale = scale_of_detail(figure, detail);
+        own.scale = detail.scale;
         if (named.empty() || !(own.scale > 0)) continue;
         append(row, word(lang::notation::colon, context.language));
         append(row, scale_words(context, own));

@@ -358,7 +358,7 @@ private:
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
             ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
-            figure_.details.push_back({"", detail.letter, detail.centre, radius});
+            figure_.details.push_back({"", detail.letter, detail.centre, radius, 0});
         }
     }
 
@@ -565,7 +565,10 @@ private:
         inset.move(best.x - inset.box.min.x, best.y - inset.box.min.y);
         const Spot centre = 0.5 * (inset.box.min + inset.box.max);
         for (DetailOn& each : figure_.details)
-            if (each.letter == shown.letter) each.id = inset.id;
+            if (each.letter == shown.letter) {
+                each.id = inset.id;
+                each.scale = inset.scale;
+            }
         figure_.marks.insert(figure_.marks.end(), inset.marks.begin(), inset.marks.end());
         figure_.axes.insert(figure_.axes.end(), inset.axes.begin(), inset.axes.end());
         figure_.details.insert(figure_.details.end(), inset.details.begin(), inset.details.end());

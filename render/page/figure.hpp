@@ -57,6 +57,7 @@ struct DetailOn {
     std::string id, letter;
     Spot circle;
     double radius = 0;
+    double scale = 0;  ///< in the figure's unit per mm; 0: it is not drawn
 };
 
 /// What the readers of a figure may do with it; the same for all figures of a kind.

@@ -77,11 +77,9 @@ std::vector<std::string> contact_figure_names(const Solution& solution, const Sh
 std::optional<Figure> contact_figure(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                      const std::string& name, Spot room) {
     for (const auto& [joint, each] : contacts_of(solution)) {
-        const std::string ending = "-" + joint;
-        if (!name.ends_with(ending)) continue;
         const DrawingContext context{each, options.theme, fonts, options.language, options.dimensions};
-        if (auto figure = problem_figure(context, name.substr(0, name.size() - ending.size()), room.x, room.y))
-            return figure;
+        for (const std::string& figure : problem_figure_names(context))
+            if (figure + "-" + joint == name) return problem_figure(context, figure, room.x, room.y);
     }
     return std::nullopt;
 }
