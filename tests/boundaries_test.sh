@@ -125,6 +125,8 @@ check() {
         grep -rn 'JointKind::' engine constructions render problems app 2>/dev/null |
             grep -vE '^engine/(mechanism/(pair|mechanism)|check/[a-z_]*)\.[ch]pp:' |
             breach "kinds of joint are the table of pairs' and the check's"
+        grep -rnE '(data_figure|(figure|drawn|wanted)[a-z_]*(\.|->)(id|name)) *[!=]= *"' render problems app 2>/dev/null |
+            breach "a figure is told from another by its FigureId or its traits, not by text"
         # A point and its key are many other things, too.
         kinds=$(ls problems 2>/dev/null | grep -vx point | paste -sd '|')
         grep -rnE "\"(${kinds:-none})\"" engine constructions render --include='*.[ch]pp' 2>/dev/null |
@@ -199,6 +201,8 @@ seen "geometry.cpp's" engine/number/exact.cpp '<CGAL/a.h>'
 seen "public face stands above" engine/board/a.cpp '"kinegraph/solution.hpp"'
 seen "public headers include" include/kinegraph/a.hpp '"engine/number/exact.hpp"'
 seen "kinds of problems" render/sheet/a.cpp '"hertz"' problems/hertz/a.cpp '<vector>'
+seen "not by text" render/sheet/a.cpp 'figure.data_figure == "forces"'
+seen "not by text" render/tables/a.cpp 'figure.id != "cremona"'
 seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
 seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
     tests/a_test.cpp 'JointKind::gear'
