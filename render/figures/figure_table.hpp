@@ -33,6 +33,7 @@ enum class FigureKind : std::uint8_t {
     velocities,            ///< on the mechanism
     accelerations,         ///< on the mechanism
     circle_diagram,        ///< of the instant centres
+    joint_graph,           ///< bodies and joints as nodes and lines
     omega,                 ///< the mechanism with angular velocities
     alpha,                 ///< … with angular accelerations
 };
@@ -43,7 +44,7 @@ extern const FigureFunctions mechanism_functions, centres_functions, velocity_po
     lines_of_action_functions, forces_functions, forces_of_body_functions, forces_together_functions,
     partial_sums_functions, closed_polygon_functions, free_body_functions, lever_functions, loops_functions,
     moving_axes_functions, displacements_functions, velocities_functions, accelerations_functions,
-    circle_diagram_functions;
+    circle_diagram_functions, joint_graph_functions;
 
 /// What rows have in common.
 namespace figure_columns {
@@ -234,6 +235,12 @@ inline constexpr std::array figure_table{
               .caption = lang::sheet::circle_diagram,
               .size = figure_columns::of_circle,
               .by = &circle_diagram_functions},
+    FigureRow{.kind = FigureKind::joint_graph,
+              .key = "joint-graph",
+              .data_figure = "joint-graph",
+              .caption = lang::sheet::joint_graph,
+              .size = {.spare = true},
+              .by = &joint_graph_functions},
     FigureRow{.kind = FigureKind::omega, .key = "omega", .svg_id = "mechanism", .data_figure = "mechanism"},
     FigureRow{.kind = FigureKind::alpha, .key = "alpha", .svg_id = "mechanism", .data_figure = "mechanism"},
 };

@@ -508,9 +508,8 @@ Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, 
 void measure_mechanism(const Shown& shown, FigureId id, SizeWanted& size) {
     const Solution& solution = shown.solution();
     // The figure of an instantaneous motion shows its centre, too.
-    const bool with_centres =
-        id.kind == FigureKind::centres ||
-        (id.kind == FigureKind::mechanism && solution.instantaneous_motion && shown.has_centres());
+    const bool with_centres = id.kind == FigureKind::centres || (id.kind == FigureKind::mechanism &&
+                                                                 solution.instantaneous_motion && shown.has_centres());
     const Box extent = extent_of_mechanism(solution, with_centres);
     size.take(extent);
     // Distant centres may take most of the figure; the links need a minimum size, and theirs is the figure's score.
