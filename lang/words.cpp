@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lang/keys/notation.hpp"
+#include "lang/pattern.hpp"
 
 namespace kinegraph {
 namespace lang {
@@ -87,17 +88,15 @@ namespace {
 /// `pattern` with the arguments in the places {0} to {9}.
 std::string filled(std::string_view pattern, const std::vector<Words>& arguments, Language language) {
     std::string text;
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        const bool is_place = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' &&
-                              pattern[i + 1] >= '0' &&
-                              static_cast<std::size_t>(pattern[i + 1] - '0') < arguments.size();
-        if (!is_place) {
-            text += pattern[i];
-            continue;
-        }
-        text += arguments[static_cast<std::size_t>(pattern[i + 1] - '0')].in(language);
-        i += 2;
-    }
+    lang::for_each_part(
+        pattern, [&](std::string_view part) { text += part; },
+        [&](const lang::Place& place, std::string_view as_written) {
+            const bool is_plain = place.grammatical_case.empty() && !place.chooses;
+            if (is_plain && place.argument < arguments.size())
+                text += arguments[place.argument].in(language);
+            else
+                text += as_written;
+        });
     return text;
 }
 

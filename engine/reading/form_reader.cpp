@@ -184,7 +184,9 @@ Words FormReader::words(JsonValue value) {
             if (!by_language[codes[i]]) text.by_language.at(i) = otherwise;
         result = text;
     } else {
-        wrong(value, {lang::forms::a_text_or_en});
+        std::string each;
+        for (const Language language : languages) each += (each.empty() ? "{\"" : ", \"") + code_of(language) + "\": …";
+        wrong(value, {lang::forms::a_text_or_one_of_each_language, each + "}"});
     }
     return result;
 }

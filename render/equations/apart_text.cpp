@@ -103,7 +103,8 @@ private:
         const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
         const auto a = [&](const std::string& sub) { return Formula::letter("a", sub); };
         const Formula square = Formula::power(Formula::letter("omega", body()), upright("2"));
-        const std::string tr = "tr", rel = "rel", cor = "Cor";
+        const Notation& own = notation(language_);
+        const std::string &tr = own.transport, &rel = own.relative, &cor = own.coriolis;
         add_rows(rows,
                  {{v(origin()), upright(in({lang::equations::of_the_origin})), *apart_.origin_velocity},
                   {Formula::letter("v", "r"), omega() + upright(wedge()) + reach(), *apart_.turning_velocity},

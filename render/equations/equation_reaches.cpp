@@ -5,6 +5,7 @@
 
 #include "engine/equations/equations_values.hpp"
 #include "lang/keys/equations.hpp"
+#include "lang/keys/notation.hpp"
 
 namespace kinegraph::render::closure {
 
@@ -77,9 +78,8 @@ bool ReachText::write_groups(const Equations::Reach& reach) {
                           const std::array<double, 2>& of, QuantityKind quantity) {
         list_.set(equal(Formula::letter(symbol, kind), joined(terms)) + Formula::sign("=") + complex(of, quantity));
     };
-    const std::string t = pen_.in({lang::equations::mark_of_transport}),
-                      r = pen_.in({lang::equations::mark_of_relative}),
-                      c = pen_.in({lang::equations::mark_of_coriolis});
+    const std::string t = pen_.in({lang::notation::transport}), r = pen_.in({lang::notation::relative}),
+                      c = pen_.in({lang::notation::coriolis});
     line("v", t, v_t, vt, QuantityKind::velocity);
     line("v", r, v_r, vr, QuantityKind::velocity);
     line("a", t, transport.terms, transport.value, QuantityKind::acceleration);

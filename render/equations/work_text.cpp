@@ -166,8 +166,8 @@ private:
         for (const Share& share : work.shares) rows.push_back(share_row(share, q));
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
         say({lang::equations::ideal_pairs_do_no_work});
-        set(Formula::letter("delta") + Formula::letter("L") + Formula::sign("=") + symbols(work) + Formula::sign("=") +
-            upright("0"));
+        set(Formula::letter("delta") + Formula::letter(notation(language_).work) + Formula::sign("=") + symbols(work) +
+            Formula::sign("=") + upright("0"));
         set(numbers(work.total.to_double(), work, q) + Formula::sign("=") + upright("0"));
     }
     void say_what_moves(const Displacements::Freedom& freedom) {

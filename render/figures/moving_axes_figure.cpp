@@ -19,7 +19,7 @@ namespace {
 
 using Apart = RelativeMotion::Apart;
 
-RichText letter(const char* text, const char* superscript, const std::string& sub) {
+RichText letter(const char* text, const std::string& superscript, const std::string& sub) {
     Piece piece;
     piece.text = text;
     piece.face = Face::bold_italic;
@@ -81,20 +81,22 @@ void draw_turning_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, S
 
 void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_scale, double acceleration_scale) {
     const Apart& apart = *motion.apart;
+    const Notation& own_notation = notation(sketch.context.language);
     const Spot at = sketch.spot(motion.query.point);
     const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
     const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
     const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
-    draw_letter_vector(sketch, letter("v", "rel", sketch.mechanism.point(motion.query.point).name), "v_rel", at,
-                       on_paper(*apart.velocity_along, velocity_scale),
+    draw_letter_vector(sketch, letter("v", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
+                       "v_rel", at, on_paper(*apart.velocity_along, velocity_scale),
                        on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), dark);
-    draw_letter_vector(sketch, letter("a", "rel", sketch.mechanism.point(motion.query.point).name), "a_rel", at,
-                       on_paper(*apart.acceleration_along, acceleration_scale),
+    draw_letter_vector(sketch, letter("a", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
+                       "a_rel", at, on_paper(*apart.acceleration_along, acceleration_scale),
                        on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
                        sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
-    draw_letter_vector(sketch, letter("a", "cor", sketch.mechanism.point(motion.query.point).name), "a_cor", at,
-                       on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0}, length(*motion.coriolis), own);
+    draw_letter_vector(sketch, letter("a", own_notation.coriolis, sketch.mechanism.point(motion.query.point).name),
+                       "a_cor", at, on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0},
+                       length(*motion.coriolis), own);
     draw_turning_sense(sketch, motion, at, v);
 }
 

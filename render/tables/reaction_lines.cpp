@@ -215,15 +215,9 @@ private:
     }
 
     void add_note(const Example& example) {
-        std::string words = word_for(lang::sheet::action_and_reaction);
-        const auto fill = [&](const std::string& place, BodyIndex body) {
-            if (const std::size_t found = words.find(place); found != std::string::npos)
-                words.replace(found, place.size(), name_of(body));
-        };
-        fill("{0}", example.from);
-        fill("{1}", example.on);
         RichText text = example.symbol;
-        append(text, " " + words);
+        append(text, " " + Words(lang::sheet::action_and_reaction, name_of(example.from), name_of(example.on))
+                               .in(context_.language));
         if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for(lang::sheet::internal_sides));
         Block note;
         double baseline = 4.2;

@@ -17,10 +17,21 @@ Notation notation_of(Language language) {
             text(lang::notation::sine),
             text(lang::notation::alpha),
             std::stoi(text(lang::notation::dots_of_alpha)),
-            text(lang::notation::centre)};
+            text(lang::notation::centre),
+            text(lang::notation::work),
+            text(lang::notation::transport),
+            text(lang::notation::relative),
+            text(lang::notation::coriolis)};
 }
 
 }  // namespace
+
+std::string Notation::term(const std::string& own) const {
+    const std::size_t end = std::min(own.find(','), own.size());
+    const std::string part = own.substr(0, end);
+    const std::string& written = part == "tr" ? transport : part == "rel" ? relative : part == "cor" ? coriolis : part;
+    return written + own.substr(end);
+}
 
 const Notation& notation(Language language) {
     static const auto all = [] {

@@ -18,6 +18,14 @@ struct Notation {
     std::string alpha;            ///< the letter of angular accelerations, …
     int alpha_dots;               ///< … with this many dots over it
     std::string centre;           ///< the letter of instant centres
+    std::string work;             ///< the letter of work: W or L
+    // Superscripts of the parts of a relative motion.
+    std::string transport;
+    std::string relative;
+    std::string coriolis;
+
+    /// A superscript of a symbol as the language writes it: "tr" and "tr,2" are "e" and "e,2" in French.
+    std::string term(const std::string& own) const;
 };
 const Notation& notation(Language language);
 

@@ -16,6 +16,7 @@
 #include "lang/keys/cases.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
+#include "lang/pattern.hpp"
 #include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
@@ -209,10 +210,12 @@ public:
     RichText set(std::string_view pattern) {
         for (std::size_t i = 0; i < pattern.size();) {
             const char first = pattern[i];
-            if (first != '{') behind_point_ = false;
-            if (first == '{')
-                i = put_place(pattern, i);
-            else if (first == '[')
+            const auto place = lang::place_at(pattern, i);
+            if (!place) behind_point_ = false;
+            if (place) {
+                put_place(*place);
+                i = place->end;
+            } else if (first == '[')
                 i = put_optional_part(pattern, i);
             else
                 i += put_text(pattern.substr(i));
@@ -228,34 +231,23 @@ private:
         plain_text_.clear();
     }
 
-    /// Handles "{0}", "{0|is|are}" or "{0 on}" at `begin`; returns the index after it.
-    std::size_t put_place(std::string_view pattern, std::size_t begin) {
-        const auto index = static_cast<std::size_t>(pattern[begin + 1] - '0');
-        const std::size_t end = pattern.find('}', begin), bar = pattern.find('|', begin);
-        const std::string_view grammatical_case =
-            pattern[begin + 2] == ' ' ? pattern.substr(begin + 3, end - begin - 3) : "";
-        const bool given = index < arguments_.size() && !is_empty(arguments_[index]);
-        if (bar < end) {
-            const std::size_t second = pattern.find('|', bar + 1);
-            plain_text_ += given && is_one(arguments_[index]) ? pattern.substr(bar + 1, second - bar - 1)
-                                                              : pattern.substr(second + 1, end - second - 1);
-        } else if (given && !grammatical_case.empty()) {
-            put_in_case(arguments_[index], grammatical_case);
-        } else if (given) {
-            put_argument(arguments_[index]);
-        } else {
+    void put_place(const lang::Place& place) {
+        const bool given = place.argument < arguments_.size() && !is_empty(arguments_[place.argument]);
+        if (place.chooses)
+            plain_text_ += given && is_one(arguments_[place.argument]) ? place.one : place.several;
+        else if (given && !place.grammatical_case.empty())
+            put_in_case(arguments_[place.argument], place.grammatical_case);
+        else if (given)
+            put_argument(arguments_[place.argument]);
+        else
             all_given_ = false;
-        }
-        return end + 1;
     }
     /// "on body 2", "on bodies 2 + 3", "on the truss", "on pin C": by what carries the name.
     void put_in_case(const Argument& value, std::string_view grammatical_case) {
         const std::string form = form_of_case(value, grammatical_case, language_);
-        const std::size_t place = std::min(form.find("{0}"), form.size());
-        plain_text_ += form.substr(0, place);
-        if (place == form.size()) return;
-        put_argument(value);
-        plain_text_ += form.substr(place + 3);
+        lang::for_each_part(
+            form, [&](std::string_view part) { plain_text_ += part; },
+            [&](const lang::Place&, std::string_view) { put_argument(value); });
     }
     void put_argument(const Argument& value) {
         flush();
@@ -524,7 +516,7 @@ RichText typeset(const Symbol& symbol, Language language) {
                          (result.sub[0] == 'g' || result.sub[0] == 'i') &&
                          (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
     result.sub_face = of_body || digits_only(result.sub) ? Face::regular : Face::italic;
-    result.sup = symbol.term;
+    result.sup = notation(language).term(symbol.term);
     return {result};
 }
 
@@ -625,17 +617,13 @@ std::string verdict_words(const Mobility& mobility, Language language) {
 std::string word(Key key, Language language) { return key.in(language); }
 
 RichText word(Key key, const std::vector<RichText>& parts, Language language) {
-    const std::string& pattern = key.in(language);
     RichText text;
-    for (std::size_t i = 0; i < pattern.size();) {
-        const std::size_t open = std::min(pattern.find('{', i), pattern.size());
-        if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
-        if (open == pattern.size()) break;
-        const auto place = static_cast<std::size_t>(pattern[open + 1] - '0');
-        KG_ASSERT(place < parts.size(), "the text " + key.name() + " has a part for each of its places");
-        append(text, parts[place]);
-        i = open + 3;
-    }
+    lang::for_each_part(
+        key.in(language), [&](std::string_view part) { append(text, one_piece(std::string(part))); },
+        [&](const lang::Place& place, std::string_view) {
+            KG_ASSERT(place.argument < parts.size(), "the text " + key.name() + " has a part for each of its places");
+            append(text, parts[place.argument]);
+        });
     return text;
 }
 

@@ -109,7 +109,7 @@ TEST(EquationText, ProjectsWithTheRightSigns) {
 TEST(EquationText, PartsTheScarasAcceleration) {
     const std::string text = as_text(equation_items(with_equations("scara"), Language::it));
     for (const char* const line :
-         {"z_B = a e^{i α} + b e^{i (α + β)}", "v_rel = i b β̇ e^{i (α + β)}", "a_Cor = − 2 b α̇ β̇ e^{i (α + β)}"})
+         {"z_B = a e^{i α} + b e^{i (α + β)}", "v_rel = i b β̇ e^{i (α + β)}", "a_cor = − 2 b α̇ β̇ e^{i (α + β)}"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 
