@@ -46,6 +46,10 @@ public:
         const auto add = [&](Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
             table.columns.push_back({kind, quantity, std::move(name), unit});
         };
+        const auto add_named = [&](std::string name, QuantityKind unit, Key said) {
+            add(Column::Kind::named, {}, std::move(name), unit);
+            table.columns.back().said = said;
+        };
         using Kind = Quantity::Kind;
         add(Column::Kind::turn, {}, "turn", QuantityKind::angle);
         if (cycle_.translates()) {
@@ -57,11 +61,12 @@ public:
                 QuantityKind::acceleration);
         } else {
             // Away from the cam is not always counter-clockwise, so these are not ω and α.
-            add(Column::Kind::named, {}, "rise angle", QuantityKind::angle);
-            add(Column::Kind::named, {}, "rise angle rate", QuantityKind::angular_velocity);
-            add(Column::Kind::named, {}, "rise angle acceleration", QuantityKind::angular_acceleration);
+            add_named("rise angle", QuantityKind::angle, lang::sheet::rise_angle);
+            add_named("rise angle rate", QuantityKind::angular_velocity, lang::sheet::rise_angle_rate);
+            add_named("rise angle acceleration", QuantityKind::angular_acceleration,
+                      lang::sheet::rise_angle_acceleration);
         }
-        add(Column::Kind::named, {}, "pressure angle", QuantityKind::angle);
+        add_named("pressure angle", QuantityKind::angle, lang::sheet::pressure_angle);
         for (const CamState& state : drawn_states())
             table.rows.push_back(
                 {state.turn, state.rise.s, cycle_.speed(state), cycle_.acceleration(state), state.pressure_angle});

@@ -17,6 +17,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/results/operands.hpp"
 #include "lang/keys/sheet.hpp"
 #include "lang/keys/sweeps.hpp"
 
@@ -41,7 +42,9 @@ public:
         const auto travel = app::travel_asked(cycle->positions(), mechanism, *asked, options_.dashes);
         if (!travel) return wrong(travel.error());
         cycle_.emplace(*std::move(cycle));
-        unsolved = cycle_->begin(*travel);
+        const std::vector<Column> operands = operands_of_expressions(mechanism, course_.driver);
+        const app::ColumnsOnRequest on_request = app::columns_on_request(options_, mechanism, operands);
+        unsolved = cycle_->begin(*travel, true, on_request.columns);
         table.driver = name_of(course_.driver);
         table.turns = app::turns(mechanism, course_.driver);
         table.travel = *travel;
@@ -54,9 +57,10 @@ public:
             table.columns.push_back(expression.column());
             return cycle_->add(expression);
         };
-        if (const auto chosen = choose_shown(options_.columns, own, add, options_.dashes); !chosen)
+        for (const ResultExpression& each : on_request.defined) add(each);
+        if (const auto chosen = choose_shown(options_.columns, own, operands, add, options_.dashes); !chosen)
             return wrong(chosen.error());
-        auto columns = app::plots_of(options_.plots, table.columns, add, options_.dashes);
+        auto columns = app::plots_of(options_.plots, table.columns, operands, add, options_.dashes);
         if (!columns) return wrong(columns.error());
         plots = *std::move(columns);
         table.followed = cycle_->follow(*travel, efforts());

@@ -20,6 +20,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/operands.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -155,8 +156,11 @@ public:
         if (wrong_columns_) return refused(Diagnostic::Kind::bad_input, *wrong_columns_);
         const std::vector<bool> none_empty(table.columns.size());
         for (const auto& row : table.rows) {
-            const auto on_pole = empty_.find(row[0]);
-            if (!see(row, on_pole == empty_.end() ? none_empty : on_pole->second)) break;
+            const auto on_pole = empty_.find(row[0]), lacking = lacking_rows_.find(row[0]);
+            const std::vector<bool>& empty = on_pole != empty_.end()          ? on_pole->second
+                                             : lacking != lacking_rows_.end() ? lacking->second
+                                                                              : none_empty;
+            if (!see(row, empty)) break;
         }
         return {};
     }
@@ -220,6 +224,8 @@ private:
             if (progress) progress(static_cast<long>(i), static_cast<long>(values_.count));
             if (auto row = row_of(values_.value(i))) {
                 pushes_.emplace(row->front(), here_pushing_);
+                if (std::find(here_lacking_.begin(), here_lacking_.end(), true) != here_lacking_.end())
+                    lacking_rows_.emplace(row->front(), here_lacking_);
                 table.rows.push_back(*std::move(row));
             } else {
                 left_out_.push_back(values_.value(i));
@@ -276,13 +282,17 @@ private:
             found.values.insert(found.values.end(), pushing.begin(), pushing.end());
             return found;
         };
-        const auto evaluate = [this, wanted](double at) -> std::optional<FollowedCurve::Values> {
+        const auto lacks = [&](const std::vector<bool>& lacking) {
+            return std::any_of(columns.begin(), columns.end(), [&](std::size_t i) { return lacking[i]; });
+        };
+        const auto evaluate = [this, wanted, lacks](double at) -> std::optional<FollowedCurve::Values> {
             const auto row = row_at(at);
-            return row ? std::optional(wanted(*row, here_pushing_)) : std::nullopt;
+            return row && !lacks(here_lacking_) ? std::optional(wanted(*row, here_pushing_)) : std::nullopt;
         };
         std::vector<SampledRow> samples;
         for (const auto& row : table.rows)
-            if (empty_.count(row[0]) == 0) samples.push_back({row[0], wanted(row, pushes_.at(row[0]))});
+            if (empty_.count(row[0]) == 0 && (lacking_rows_.count(row[0]) == 0 || !lacks(lacking_rows_.at(row[0]))))
+                samples.push_back({row[0], wanted(row, pushes_.at(row[0]))});
         auto curves = curves_through(samples, gaps_, evaluate);
         if (curves.empty()) return std::nullopt;
         return FollowedColumns(std::move(curves));
@@ -326,10 +336,12 @@ private:
     }
 
     /// Compares the row of a value with the check.
-    void hold_against_check(const Solution& solution, const std::vector<double>& row) {
+    void hold_against_check(const Solution& solution, const std::vector<double>& row,
+                            const std::vector<bool>& lacking) {
         size_ = std::max(size_, solution.pose.size.to_double());
         for (std::size_t i = 1; i < table.columns.size(); ++i) {
             const Column& column = table.columns[i];
+            if (i < lacking.size() && lacking[i]) continue;
             if (column.kind == Column::Kind::result)
                 for (const CheckRow& each : solution.checks)
                     if (each.quantity == column.quantity || is_effort_by_work(each.quantity, column.quantity))
@@ -341,9 +353,8 @@ private:
         }
     }
 
-    /// The results for one value; empty if there are none. With `missing`, by column whether it has no result, a part
-    /// of them will do.
-    std::optional<std::vector<double>> row_of(const std::string& value, std::vector<bool>* missing = nullptr) {
+    /// The solution with one value; of `whole` ones everything is found.
+    std::optional<Solution> solved_with(const std::string& value, bool whole) {
         const auto note = [&](Errors errors) {
             if (fault_.empty()) fault_ = std::move(errors);
             return std::nullopt;
@@ -355,17 +366,32 @@ private:
         if (!varied) return note(varied.error());
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
-        if (!solution->unsolved.empty() && missing == nullptr)
+        if (!solution->unsolved.empty() && whole)
             return note({{ErrorCode::no_unique_answer, {}, {lang::sweeps::no_value_has_a_unique_answer}}});
+        return *std::move(solution);
+    }
+    /// The results for one value; empty if there are none. With `missing`, by column whether it has no result, a part
+    /// of them will do.
+    std::optional<std::vector<double>> row_of(const std::string& value, std::vector<bool>* missing = nullptr) {
+        const auto solution = solved_with(value, missing == nullptr);
+        if (!solution) return std::nullopt;
         std::vector<NamedResult> results = named_results(*solution);
         std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
+        if (on_request_.has_least_transmission_angle)
+            if (auto least = least_transmission_angle(*solution)) results.push_back(*std::move(least));
         if (table.columns.empty()) choose_columns(results);
         std::vector<double> row{si_of(*read_measured(value, {}))};
+        std::vector<bool> lacking(table.columns.size());
         for (std::size_t i = 1; i < table.columns.size() - expressions_.size(); ++i) {
             const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& each) {
                 return each.column.name == table.columns[i].name;
             });
-            if (found == results.end() && missing == nullptr) return std::nullopt;
+            if (found == results.end() && missing == nullptr && !is_on_request(table.columns[i])) return std::nullopt;
+            if (found == results.end() && missing == nullptr) {
+                lacking[i] = true;
+                row.push_back(0);
+                continue;
+            }
             if (found == results.end()) {
                 (*missing)[i] = true;
                 row.push_back(0);
@@ -377,39 +403,60 @@ private:
         }
         if (missing == nullptr) {
             last_ = row;
-            hold_against_check(*solution, row);
+            hold_against_check(*solution, row, lacking);
             here_pushing_.clear();
             for (const PushingContact& each : contacts_)
                 here_pushing_.push_back(each.push(row, each.sense(solution->mechanism, solution->pose)));
         }
         row.resize(table.columns.size());
         std::vector<double> noise(row.size());
-        expressions_.fill(row, noise);
+        lacking.resize(row.size());
+        expressions_.fill(row, noise, lacking, solution->mechanism.parameters);
         for (std::size_t i = 0; i < row.size(); ++i) {
-            if (expressions_.is_undetermined(i) && missing == nullptr) return std::nullopt;
+            if (expressions_.is_undetermined(i) && missing == nullptr) {
+                if (!expressions_.lacks_part(i, lacking)) return std::nullopt;
+                lacking[i] = true;
+            }
             if (missing != nullptr && (expressions_.is_undetermined(i) || expressions_.lacks_part(i, *missing)))
                 (*missing)[i] = true;
         }
+        here_lacking_ = missing == nullptr ? lacking : std::vector<bool>(row.size());
         return row;
     }
     void choose_columns(const std::vector<NamedResult>& results) {
         table.columns.push_back({Column::Kind::named, {}, table.driver, QuantityKind::dimensionless});
-        for (const NamedResult& each : results) table.columns.push_back(each.column);
+        for (const NamedResult& each : results)
+            if (!is_on_request(each.column)) table.columns.push_back(each.column);
+        const std::size_t usual = table.columns.size();
+        table.columns.insert(table.columns.end(), on_request_.columns.begin(), on_request_.columns.end());
+        table.columns.insert(table.columns.end(), on_request_.columns_of_defined.begin(),
+                             on_request_.columns_of_defined.end());
+        if (on_request_.has_least_transmission_angle) table.columns.push_back(transmission_column());
         contacts_ = pushing_contacts(mechanism, table.columns);
-        const std::size_t own = table.columns.size();
         const auto add = [this](const ResultExpression& expression) {
-            return expressions_.add(expression, table.columns);
+            return expressions_.add(expression, table.columns, mechanism.parameters);
         };
-        if (const auto chosen = choose_shown(options_.columns, own, add, options_.dashes); !chosen)
+        if (const auto chosen = choose_shown(options_.columns, usual, operands_, add, options_.dashes); !chosen)
             wrong_columns_ = chosen.error();
-        auto columns = app::plots_of(options_.plots, table.columns, add, options_.dashes);
+        auto columns = app::plots_of(options_.plots, table.columns, operands_, add, options_.dashes);
         if (columns)
             plots = *std::move(columns);
         else if (!wrong_columns_)
             wrong_columns_ = columns.error();
     }
+    /// Whether the rows have it only where it is asked for, and stay without it where it has no value.
+    bool is_on_request(const Column& column) const {
+        const std::vector<ResultExpression> defined = defined_results(mechanism);
+        return result_kind(column.quantity).on_request || column.name == transmission_angle_name ||
+               std::any_of(defined.begin(), defined.end(),
+                           [&](const ResultExpression& each) { return each.column().name == column.name; });
+    }
+
     SourceFile file_;
     SweepOptions options_;
+    std::vector<Column> operands_ = operands_of_expressions(mechanism);
+    app::ColumnsOnRequest on_request_ = app::columns_on_request(options_, mechanism, operands_);
+    std::vector<bool> here_lacking_;  ///< by column: the last row has no value
     ExpressionColumns expressions_;
     std::optional<Words> wrong_columns_;
     Variation values_;
@@ -419,6 +466,8 @@ private:
     std::vector<std::string> left_out_;
     std::vector<double> gaps_;                   ///< left out, and no poles
     std::map<double, std::vector<bool>> empty_;  ///< of rows on poles, by value: the columns without one
+    std::map<double, std::vector<bool>>
+        lacking_rows_;  ///< by its value, a row where results on request lack: by column
     std::vector<PushingContact> contacts_;
     std::vector<double> here_pushing_;              ///< their forces at the value solved last, N
     std::map<double, std::vector<double>> pushes_;  ///< the same of each row, by value

@@ -8,9 +8,9 @@
 namespace kinegraph::app {
 namespace {
 
-/// A name that contains quotes is quoted in CSV, with the quotes doubled.
+/// A name that contains quotes or a comma is quoted in CSV, with the quotes doubled.
 std::string csv_name(const std::string& name) {
-    if (name.find('"') == std::string::npos) return name;
+    if (name.find_first_of("\",") == std::string::npos) return name;
     std::string text = "\"";
     for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
     return text + '"';

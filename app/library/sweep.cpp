@@ -11,6 +11,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sweeps.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 
@@ -46,14 +47,16 @@ std::vector<Column> shown_columns(const Sweep::State& sweep) {
 }  // namespace
 
 tl::expected<void, Words> Sweep::State::choose_shown(const std::string& names, std::size_t own,
-                                                     const app::AddColumn& add, const std::string& dashes) {
+                                                     const std::vector<Column>& operands, const app::AddColumn& add,
+                                                     const std::string& dashes) {
     shown.clear();
     if (names.empty()) {
-        for (std::size_t i = 0; i < own; ++i) shown.push_back(i);
+        for (std::size_t i = 0; i < own; ++i)
+            if (!result_kind(table.columns[i].quantity).on_request) shown.push_back(i);
         return {};
     }
     for (std::size_t i = 0; i <= table.over(); ++i) shown.push_back(i);
-    const auto chosen = app::columns_named(names, table.columns, add, dashes + "columns");
+    const auto chosen = app::columns_named(names, table.columns, operands, add, dashes + "columns");
     if (!chosen) return tl::unexpected(chosen.error());
     for (const std::size_t i : *chosen)
         if (std::find(shown.begin(), shown.end(), i) == shown.end()) shown.push_back(i);

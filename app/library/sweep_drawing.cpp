@@ -5,19 +5,27 @@
 
 #include "constructions/positions/drawn_motion.hpp"
 #include "engine/file/spelling.hpp"
+#include "engine/results/operands.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
 namespace {
 
-/// "a, b" → "a" and "b"; a comma within brackets parts the arguments of a function.
+/// "a, b" → "a" and "b"; a comma within brackets parts the arguments of a function, and one between single quotes
+/// belongs to a name.
 std::vector<std::string> parted(const std::string& text) {
     std::vector<std::string> parts(1);
     int depth = 0;
+    bool is_quoted = false;
+    char before = ',';  // the last sign that is no blank
     for (const char c : text) {
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-        if (c == ',' && depth <= 0)
+        // Elsewhere an apostrophe is part of a name: A'.
+        if (c == '\'') is_quoted = !is_quoted && std::string_view("+-*/^(|,=").find(before) != std::string_view::npos;
+        if (c != ' ') before = c;
+        depth += is_quoted ? 0 : c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth <= 0 && !is_quoted)
             parts.emplace_back();
         else if (c != ' ' || !parts.back().empty())
             parts.back() += c;
@@ -37,7 +45,7 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
         for (const Column& column : columns)
             if (column.kind == Column::Kind::angle) subject = column.quantity;
     for (std::size_t i = 0; i < columns.size(); ++i)
-        if (result_kind(columns[i].quantity).subject == ResultKind::Subject::effort) plots.push_back({i});
+        if (columns[i].quantity.kind == Quantity::Kind::effort) plots.push_back({i});
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Quantity& q = columns[i].quantity;
         if (!subject || q.kind == Quantity::Kind::unnamed) continue;
@@ -66,8 +74,30 @@ std::vector<VectorOf<double>> places_covered(const Body& body, const Pose& pose)
 
 }  // namespace
 
+ColumnsOnRequest columns_on_request(const SweepOptions& options, const Mechanism& mechanism,
+                                    const std::vector<Column>& operands) {
+    std::vector<std::string> texts = parted(options.columns);
+    for (const std::string& plot : options.plots)
+        for (std::string& text : parted(plot)) texts.push_back(std::move(text));
+    const std::vector<Column> named = operands_in(texts, operands);
+    const auto is_named = [&](const Column& column) {
+        return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == column.name; });
+    };
+    ColumnsOnRequest found;
+    for (const Column& column : operands)
+        if (result_kind(column.quantity).on_request && is_named(column)) found.columns.push_back(column);
+    for (ResultExpression& each : defined_results(mechanism))
+        if (is_named(each.column())) {
+            found.columns_of_defined.push_back(each.column());
+            found.defined.push_back(std::move(each));
+        }
+    found.has_least_transmission_angle = is_named(transmission_column());
+    return found;
+}
+
 tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& names,
-                                                            const std::vector<Column>& columns, const AddColumn& add,
+                                                            const std::vector<Column>& columns,
+                                                            const std::vector<Column>& operands, const AddColumn& add,
                                                             const std::string& option) {
     std::vector<std::size_t> found;
     for (const std::string& text : parted(names)) {
@@ -77,33 +107,37 @@ tl::expected<std::vector<std::size_t>, Words> columns_named(const std::string& n
             found.push_back(static_cast<std::size_t>(column - columns.begin()));
             continue;
         }
-        const auto expression = ResultExpression::read(text, columns);
+        std::vector<Column> known = columns;
+        for (const Column& each : operands)
+            if (each.kind == Column::Kind::parameter) known.push_back(each);
+        const auto expression = ResultExpression::read(text, known);
         if (expression) {
             found.push_back(add(*expression));
             continue;
         }
         if (is_expression(text))
             return tl::unexpected(Words(lang::sweeps::option_says, option, quoted(text), expression.error()));
-        std::vector<std::string_view> known;
+        std::vector<std::string_view> names_known;
         std::string list;
-        for (const Column& each : columns) {
-            known.emplace_back(each.name);
-            list += (list.empty() ? "" : ", ") + each.name;
-        }
+        for (const Column& each : columns) list += (list.empty() ? "" : ", ") + each.name;
+        for (const std::vector<Column>* some : {&columns, &operands})
+            for (const Column& each : *some)
+                if (some == &columns || result_kind(each.quantity).on_request) names_known.emplace_back(each.name);
         Speller speller;
         return tl::unexpected(Words(lang::sweeps::there_is_no_quantity, quoted(text),
-                                    did_you_mean(speller.nearest(text, known)), option, list));
+                                    did_you_mean(speller.nearest(text, names_known)), option, list));
     }
     return found;
 }
 
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
                                                                     const std::vector<Column>& columns,
+                                                                    const std::vector<Column>& operands,
                                                                     const AddColumn& add, const std::string& dashes) {
     if (asked.empty()) return usual_plots(columns);
     std::vector<std::vector<std::size_t>> plots;
     for (const std::string& text : asked) {
-        const auto plot = columns_named(text, columns, add, dashes + "plot");
+        const auto plot = columns_named(text, columns, operands, add, dashes + "plot");
         if (!plot) return tl::unexpected(plot.error());
         const auto is_of_other_unit = [&](std::size_t each) {
             const Column &first = columns[plot->front()], &other = columns[each];

@@ -39,8 +39,10 @@ struct Sweep::State {
     virtual LargestDifference::Found difference() const = 0;
     virtual Words coordinate_text(double coordinate) const = 0;
 
-    /// Which columns the rows show: the driver's coordinate (and time) with those of `--columns`, or the first `own`.
-    tl::expected<void, Words> choose_shown(const std::string& names, std::size_t own, const app::AddColumn& add,
+    /// Which columns the rows show: the driver's coordinate (and time) with those of `--columns`, or the first `own`
+    /// but for those on request.
+    tl::expected<void, Words> choose_shown(const std::string& names, std::size_t own,
+                                           const std::vector<Column>& operands, const app::AddColumn& add,
                                            const std::string& dashes);
 
     /// The members "poles" and "separations" of the JSON.

@@ -30,7 +30,7 @@ using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
 
 /// The results to find at each position: the file's `find` without those that have no column.
-Find found_in_rows(const Mechanism& mechanism) {
+Find found_in_rows(const Mechanism& mechanism, const std::vector<Column>& on_request) {
     const Find& asked = mechanism.find;
     Find find;
     find.stated = true;
@@ -40,6 +40,9 @@ Find found_in_rows(const Mechanism& mechanism) {
     find.acceleration = whole_motion || asked.acceleration;
     find.forces = !asked.stated || asked.forces;
     find.virtual_work = asked.virtual_work && !mechanism.efforts.empty();
+    find.instant_centres = std::any_of(on_request.begin(), on_request.end(), [](const Column& each) {
+        return result_kind(each.quantity).shape == ResultKind::Shape::place;
+    });
     return find;
 }
 
@@ -81,19 +84,24 @@ public:
           givens_(mechanism, pose),
           efforts_(mechanism, givens_),
           directions_(drawn_directions(mechanism, pose)),
+          couplers_(transmission_columns(mechanism, course.driver)),
           check_(mechanism) {}
 
-    std::vector<Unsolved> begin(const Travel& travel, bool checked) {
+    std::vector<Unsolved> begin(const Travel& travel, bool checked, const std::vector<Column>& on_request) {
         is_checked_ = checked;
+        on_request_ = on_request;
         for (const double share : sample_shares) {
             if (!go_to(travel.at(share))) continue;
             Solution solution = planned_here();
             columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
             if (clock_.has_time()) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
-            for (Column& column : columns_found(solution)) columns_.push_back(std::move(column));
+            for (Column& column : columns_found(solution))
+                if (!result_kind(column.quantity).on_request) columns_.push_back(std::move(column));
+            columns_.insert(columns_.end(), on_request_.begin(), on_request_.end());
             efforts_.add(solution, columns_);
             values_.resize(columns_.size());
             empty_.assign(columns_.size(), false);
+            lacking_.assign(columns_.size(), false);
             contacts_ = pushing_contacts(mechanism_, columns_);
             teeth_ = meshing_teeth(mechanism_, columns_);
             solution.mechanism.find = mechanism_.find;
@@ -112,10 +120,10 @@ public:
             empty_[i] = followed_.columns[i].is_pole(at, travelled_);
         if (std::find(empty_.begin(), empty_.end(), true) != empty_.end()) return row_on_pole(at);
         if (!find_values(at)) return std::nullopt;
-        for (std::size_t i = 0; i < empty_.size(); ++i) empty_[i] = expressions_.is_undetermined(i);
+        for (std::size_t i = 0; i < empty_.size(); ++i) empty_[i] = lacks_value(i);
         if (is_checked_) {
             clock_.put_rates(check_.mechanism());
-            check_.compare({columns_, values_, noise_, places_, positions_, has_forces_ || !efforts_.empty()});
+            check_.compare({columns_, values_, noise_, empty_, places_, positions_, has_forces_ || !efforts_.empty()});
         }
         silence();
         return values_;
@@ -161,9 +169,10 @@ public:
                 }
     }
     std::size_t add(const ResultExpression& expression) {
-        const std::size_t column = expressions_.add(expression, columns_);
+        const std::size_t column = expressions_.add(expression, columns_, mechanism_.parameters);
         values_.resize(columns_.size());
         empty_.resize(columns_.size());
+        lacking_.resize(columns_.size());
         return column;
     }
     const FollowedCycle& followed() const { return followed_; }
@@ -224,8 +233,11 @@ private:
     /// The noise of the row's values, and the expressions of them.
     void finish_row() {
         noise_ = levels_.of_row(columns_, values_);
-        expressions_.fill(values_, noise_);
+        expressions_.fill(values_, noise_, lacking_, mechanism_.parameters);
     }
+    /// Whether the last row has no value in a column.
+    bool lacks_value(std::size_t column) const { return lacking_[column] || expressions_.is_undetermined(column); }
+
     /// What is noise of the arithmetic is zero.
     void silence() {
         for (std::size_t i = 0; i < values_.size(); ++i)
@@ -248,7 +260,7 @@ private:
             if (empty_[i] || is_of_forces(columns_[i])) values_[i] = empty_[i] ? 0 : row[i];
         finish_row();
         for (std::size_t i = 0; i < row.size(); ++i) {
-            empty_[i] = empty_[i] || expressions_.is_undetermined(i) || expressions_.lacks_part(i, empty_);
+            empty_[i] = empty_[i] || lacks_value(i) || expressions_.lacks_part(i, empty_);
             if (empty_[i]) values_[i] = 0;
         }
         silence();
@@ -259,8 +271,8 @@ private:
     /// The watched columns, and after them the forces with which contacts push, and those that teeth transmit.
     std::optional<FollowedCurve::Values> values_at(double at, const std::vector<std::size_t>& watched) {
         if (!find_values(at)) return std::nullopt;
-        const auto lacks_value = [&](std::size_t column) { return expressions_.is_undetermined(column); };
-        if (std::any_of(watched.begin(), watched.end(), lacks_value)) return std::nullopt;
+        const auto lacks = [&](std::size_t column) { return lacks_value(column); };
+        if (std::any_of(watched.begin(), watched.end(), lacks)) return std::nullopt;
         constexpr double grains = 0x1p7;  // in noise: near a limit velocities have lost some digits
         const double noise_of_forces = levels_.of_forces(columns_, values_);
         silence();
@@ -279,16 +291,16 @@ private:
         }
         return found;
     }
-    /// Those that are no expressions without a value anywhere, such as a quotient by what is always zero.
+    /// Those that have a value somewhere: not a quotient by what is always zero, not a centre that stays at infinity.
     std::vector<std::size_t> with_values(std::vector<std::size_t> columns, const Travel& travel) {
+        if (expressions_.size() == 0 && on_request_.empty()) return columns;
         std::vector<std::size_t> without = columns;
         for (const double share : sample_shares)
-            if (expressions_.size() > 0 && find_values(travel.at(share)))
-                std::erase_if(without, [&](std::size_t column) { return !expressions_.is_undetermined(column); });
-        if (expressions_.size() > 0)
-            std::erase_if(columns, [&](std::size_t column) {
-                return std::find(without.begin(), without.end(), column) != without.end();
-            });
+            if (find_values(travel.at(share)))
+                std::erase_if(without, [&](std::size_t column) { return !lacks_value(column); });
+        std::erase_if(columns, [&](std::size_t column) {
+            return std::find(without.begin(), without.end(), column) != without.end();
+        });
         return columns;
     }
     std::vector<std::size_t> not_yet_followed(const std::vector<std::size_t>& whole) const {
@@ -304,8 +316,9 @@ private:
         std::vector<std::size_t> watched;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const bool is_result = columns_[i].kind == Column::Kind::result || columns_[i].kind == Column::Kind::along;
-            // An expression may divide by what vanishes.
-            if (columns_[i].kind == Column::Kind::named || (is_result && (is_of_forces(columns_[i]) || ends)) ||
+            // An expression may divide by what vanishes, and a centre go to infinity.
+            const bool may_grow = is_of_forces(columns_[i]) || result_kind(columns_[i].quantity).on_request || ends;
+            if (columns_[i].kind == Column::Kind::named || (is_result && may_grow) ||
                 std::find(whole.begin(), whole.end(), i) != whole.end())
                 watched.push_back(i);
         }
@@ -321,7 +334,7 @@ private:
     Solution planned_here() {
         ++planned_;
         Repositioned moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
-        moved.mechanism.find = found_in_rows(mechanism_);
+        moved.mechanism.find = found_in_rows(mechanism_, on_request_);
         clock_.put_rates(moved.mechanism);
         return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
     }
@@ -345,6 +358,8 @@ private:
             const auto& [known, element] = record.sources[i];
             if (!known) return std::nullopt;
             if (element == none) return std::pair{Spot{}, 0.0};
+            if (result_kind(columns_[i].quantity).shape == ResultKind::Shape::place)
+                return std::pair{record.replay.point(element).place(), 0.0};
             return std::pair{record.replay.vector(element), record.replay.scalar(element)};
         });
     }
@@ -362,8 +377,10 @@ private:
         for (std::size_t i = 0; i < columns_.size() - efforts_.size() - expressions_.size(); ++i) {
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
-            if (!place && !result) return false;
-            values_[i] = place ? *place : part_of(columns_[i], result->first, result->second);
+            const bool may_lack = result_kind(columns_[i].quantity).on_request;
+            lacking_[i] = may_lack && !place && (!result || !is_within_reach(columns_[i], result->first));
+            if (!place && !result && !may_lack) return false;
+            values_[i] = lacking_[i] ? 0 : place ? *place : part_of(columns_[i], result->first, result->second);
             if (!std::isfinite(values_[i])) return false;
         }
         return true;
@@ -378,8 +395,22 @@ private:
             case Column::Kind::place_x: return places_.points[at_index(q.point)].x;
             case Column::Kind::place_y: return places_.points[at_index(q.point)].y;
             case Column::Kind::slid: return positions_.slid(q.joint);
+            case Column::Kind::result:
+                if (q.kind == Kind::transmission_angle) return angle_at(q);
+                return std::nullopt;
             default: return std::nullopt;
         }
+    }
+    std::optional<double> angle_at(const Quantity& transmission) const {
+        for (const auto& [column, coupler] : couplers_)
+            if (column.quantity == transmission) return transmission_angle(coupler, places_);
+        return std::nullopt;
+    }
+    /// A place further away than this is at infinity within the accuracy of doubles.
+    bool is_within_reach(const Column& column, const Spot& place) const {
+        if (result_kind(column.quantity).shape != ResultKind::Shape::place) return true;
+        const double most = 0x1p40 * pose_.size.to_double();
+        return std::abs(place.x) < most && std::abs(place.y) < most;
     }
     double part_of(const Column& column, const Spot& vector, double scalar) const {
         if (column.kind == Column::Kind::along)
@@ -398,11 +429,14 @@ private:
     GivensHere givens_;
     EffortColumns efforts_;
     std::vector<double> directions_;
+    std::vector<std::pair<Column, Coupler>> couplers_;
     Places places_;
     std::vector<Column> columns_;
+    std::vector<Column> on_request_;  ///< those of the columns that are found only where they are asked for
     std::vector<double> values_;
     std::vector<double> noise_;  ///< by column: smaller values of this row are zero
     std::vector<bool> empty_;    ///< by column: none in this row
+    std::vector<bool> lacking_;  ///< by column: on request, and not found in this position or at infinity
     std::vector<PushingContact> contacts_, teeth_;
     std::vector<FlankChange> flank_changes_;
     FollowedCycle followed_;
@@ -425,7 +459,9 @@ Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, const Cour
 }
 
 const Positions& Cycle::positions() const { return rows_->positions(); }
-std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
+std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked, const std::vector<Column>& on_request) {
+    return rows_->begin(travel, checked, on_request);
+}
 std::size_t Cycle::add(const ResultExpression& expression) { return rows_->add(expression); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
 std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }

@@ -62,8 +62,9 @@ public:
 
     const Positions& positions() const;
     /// Chooses the columns by what is found in sample positions; call it once, before the first row. Returns why some
-    /// results have no column. With `checked` false no row is compared with the check.
-    std::vector<Unsolved> begin(const Travel& travel, bool checked = true);
+    /// results have no column. With `checked` false no row is compared with the check. `on_request`: columns of results
+    /// that are found only where they are asked for (ResultKind::on_request); their cells may be empty.
+    std::vector<Unsolved> begin(const Travel& travel, bool checked = true, const std::vector<Column>& on_request = {});
     const std::vector<Column>& columns() const;
     /// Adds a column for an expression of the columns (engine/results/result_expression.hpp); its index. Call it after
     /// begin(), before follow().

@@ -19,8 +19,9 @@ void KeptRecords::keep(const Solution& solution, const std::vector<Column>& colu
                        const std::function<bool(const Given&)>& moves) {
     const std::vector<FoundValue> entries = found_values(solution);
     std::vector<ElementIndex> wanted;
-    for (const FoundValue& entry : entries)
-        if (entry.element != none) wanted.push_back(entry.element);
+    for (const Column& column : columns)
+        for (const FoundValue& entry : entries)
+            if (entry.element != none && entry.quantity == column.quantity) wanted.push_back(entry.element);
     const Cut cut_out = cut(solution.protocol.program, wanted, settled);
     Record record{Replay(cut_out.program, givens_of(cut_out.program, solution.mechanism, solution.pose),
                          solution.pose.size.to_double()),

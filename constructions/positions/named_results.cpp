@@ -6,6 +6,8 @@
 
 #include "constructions/positions/cycle.hpp"
 #include "engine/file/spelling.hpp"
+#include "engine/mechanism/problem.hpp"
+#include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -69,6 +71,7 @@ public:
         for (const FoundValue& each : found_)
             if (each.quantity.component == Quantity::Component::x) add_modulus(each);
         add_efforts();
+        if (solution_.problem == nullptr) add_transmission_angles();
         if (solution_.problem)
             for (const ProblemValue& each : solution_.problem->values)
                 results_.push_back(
@@ -102,7 +105,12 @@ private:
             results_.push_back({std::move(column.front()), efforts[e].value->to_double()});
         }
     }
+    void add_transmission_angles() {
+        for (auto& [column, coupler] : transmission_columns(solution_.mechanism, 0))
+            results_.push_back({std::move(column), transmission_angle(coupler, solution_.pose)});
+    }
     void add_modulus(const FoundValue& each) {
+        if (result_kind(each.quantity).shape != ResultKind::Shape::vector) return;
         Column column = modulus_column(each.quantity, solution_.mechanism, subject_of(each.quantity, solution_));
         const auto is_taken = [&](const NamedResult& other) { return other.column.name == column.name; };
         if (std::any_of(results_.begin(), results_.end(), is_taken)) return;
@@ -115,15 +123,41 @@ private:
     std::vector<NamedResult> results_;
 };
 
-/// Over the whole travel of the first driver; none if there is no travel or no coupler.
-std::optional<NamedResult> transmission_result(const Solution& solution) {
-    const auto travel = own_travel(solution.mechanism, solution.pose);
-    if (!travel) return std::nullopt;
-    const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
-    if (!found) return std::nullopt;
-    NamedResult result{transmission_column(), found->least};
-    result.column.quantity = {.body = found->driven, .other = found->coupler, .joint = found->pin};
-    return result;
+}  // namespace
+
+namespace {
+
+/// An expression of these results; none: it is not determined.
+std::optional<NamedResult> value_of(const ResultExpression& expression, const std::vector<NamedResult>& results) {
+    std::vector<ValueWithin> parts;
+    for (const Column& part : expression.parts()) {
+        const NamedResult* found = result_named(results, part.name);
+        if (found == nullptr) return std::nullopt;
+        parts.push_back({found->value, 0});
+    }
+    const auto value = expression.value(parts);
+    if (!value) return std::nullopt;
+    return NamedResult{expression.column(), value->value, expression.column().si_unit};
+}
+
+/// Why a result that was found has no number in this position; none: it was not found.
+std::optional<Words> why_infinite(const Solution& solution, const std::vector<NamedResult>& results,
+                                  const std::string& name) {
+    if (stands_for_joints(solution.mechanism)) return std::nullopt;
+    const std::vector<Column> possible = possible_results(solution.mechanism);
+    const auto column =
+        std::find_if(possible.begin(), possible.end(), [&](const Column& each) { return each.name == name; });
+    for (const InstantCentre& centre : solution.centres)
+        if (column != possible.end() && centre.at && centre.at->at_infinity() &&
+            quantity_of(centre) == column->quantity.along(Quantity::Component::whole))
+            return Words(lang::positions::is_at_infinity, quoted(name));
+    for (const ResultExpression& each : defined_results(solution.mechanism)) {
+        const bool has_parts = std::all_of(each.parts().begin(), each.parts().end(), [&](const Column& part) {
+            return result_named(results, part.name) != nullptr;
+        });
+        if (each.column().name == name && has_parts) return Words(lang::positions::is_not_determined, quoted(name));
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -138,7 +172,11 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
         values.push_back({quantity, found.element(), {}, 0, {}});
-        if constexpr (requires { found->x; }) {
+        if constexpr (requires { found->place(); }) {
+            const Vector place = found->place();
+            values.back().vector = to_double(place);
+            values.back().exact = quantity.component == Quantity::Component::x ? place.x : place.y;
+        } else if constexpr (requires { found->x; }) {
             values.back().vector = to_double(*found);
             values.back().exact = quantity.component == Quantity::Component::x ? found->x : found->y;
         } else {
@@ -154,12 +192,15 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
     };
     for_each_result(solution, [&](const Quantity& quantity, const auto& found) {
         const ResultKind& kind = result_kind(quantity);
-        if (kind.column.empty()) return;
+        if (!kind.column) return;
+        if constexpr (requires { found->at_infinity(); })
+            if (found->at_infinity()) return;
         if (kind.subject == ResultKind::Subject::action) {
             if (!with_reactions && is_reaction(quantity)) return;
             actions.push_back(quantity);
         }
-        if (kind.shape != ResultKind::Shape::vector) return add(quantity, found);
+        if (kind.shape == ResultKind::Shape::scalar || kind.shape == ResultKind::Shape::along)
+            return add(quantity, found);
         add(quantity.along(Quantity::Component::x), found);
         add(quantity.along(Quantity::Component::y), found);
     });
@@ -173,7 +214,19 @@ std::vector<Column> columns_found(const Solution& solution, bool with_reactions)
     return columns;
 }
 
-std::vector<NamedResult> named_results(const Solution& solution) { return Reading(solution).all(); }
+std::vector<NamedResult> named_results(const Solution& solution) {
+    std::vector<NamedResult> results = Reading(solution).all();
+    for (const ResultExpression& each : defined_results(solution.mechanism))
+        if (auto found = value_of(each, results)) results.push_back(*std::move(found));
+    return results;
+}
+
+std::vector<NamedResult> parameters_of(const Mechanism& mechanism) {
+    std::vector<NamedResult> all;
+    for (Column& column : parameter_columns(mechanism))
+        all.push_back({std::move(column), mechanism.parameters[all.size()].value});
+    return all;
+}
 
 std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution) {
     const Pose& pose = solution.pose;
@@ -201,6 +254,7 @@ Error missing_result(const Solution& solution, const std::vector<NamedResult>& r
         if (named_expression(text).name == name && solution.unsolved.empty())
             if (auto found = result_of_expression(text, results); !found)
                 return {ErrorCode::no_unique_answer, where, std::move(found.error())};
+    if (auto why = why_infinite(solution, results, name)) return {ErrorCode::no_unique_answer, where, *std::move(why)};
     if (!solution.unsolved.empty())
         return {ErrorCode::no_unique_answer, where, {lang::positions::is_not_found_in_this_position, quoted(name)}};
     Speller speller;
@@ -227,11 +281,19 @@ std::vector<Column> columns_of(const std::vector<NamedResult>& results) {
 tl::expected<NamedResult, Words> result_of_expression(std::string_view text, const std::vector<NamedResult>& results) {
     const auto read = ResultExpression::read(text, columns_of(results));
     if (!read) return tl::unexpected(read.error());
-    std::vector<ValueWithin> parts;
-    for (const Column& part : read->parts()) parts.push_back({result_named(results, part.name)->value, 0});
-    const auto value = read->value(parts);
+    auto value = value_of(*read, results);
     if (!value) return tl::unexpected(Words(lang::positions::is_not_determined, quoted(text)));
-    return NamedResult{read->column(), value->value, read->column().si_unit};
+    return *std::move(value);
+}
+
+std::optional<NamedResult> least_transmission_angle(const Solution& solution) {
+    const auto travel = own_travel(solution.mechanism, solution.pose);
+    if (!travel) return std::nullopt;
+    const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
+    if (!found) return std::nullopt;
+    NamedResult result{transmission_column(), found->least};
+    result.column.quantity = {.body = found->driven, .other = found->coupler, .joint = found->pin};
+    return result;
 }
 
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
@@ -243,7 +305,9 @@ std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& s
                             return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
                         });
     if (wanted || std::any_of(exercise.expressions.begin(), exercise.expressions.end(), is_it))
-        if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
+        if (auto found = least_transmission_angle(solution)) results.push_back(*std::move(found));
+    if (!exercise.expressions.empty())
+        for (NamedResult& each : parameters_of(solution.mechanism)) results.push_back(std::move(each));
     for (const std::string& text : exercise.expressions)
         if (result_named(results, text) == nullptr)
             if (auto found = result_of_expression(text, results)) results.push_back(*std::move(found));

@@ -23,7 +23,7 @@ struct FoundValue {
 };
 /// In the order of the columns of a sweep. Of action and reaction, the one that comes first in the results, or both.
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions = false);
-/// The columns for these values, and those of angles, places and slides.
+/// The columns for these values, and those of angles, places and slides; also those on request.
 std::vector<Column> columns_found(const Solution& solution, bool with_reactions = false);
 
 struct NamedResult {
@@ -36,6 +36,10 @@ std::optional<Exact> exact_value(const NamedResult& result, const Solution& solu
 /// All values of a solution: the results of a sweep's row (without turn, time and slides, which have no meaning in one
 /// position), the lengths of vectors ("v B"), and the values of a problem. The names are unique.
 std::vector<NamedResult> named_results(const Solution& solution);
+/// The file's parameters, for expressions of results.
+std::vector<NamedResult> parameters_of(const Mechanism& mechanism);
+/// The least transmission angle over the whole travel of the first driver; none if there is no travel or no coupler.
+std::optional<NamedResult> least_transmission_angle(const Solution& solution);
 /// The results for an exercise: all named ones, and the transmission angle if the exercise uses it (it needs a whole
 /// cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);

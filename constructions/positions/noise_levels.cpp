@@ -102,7 +102,8 @@ double NoiseLevels::level(const Column& column, const Sizes& sizes) const {
     switch (column.kind) {
         case Column::Kind::turn:
         case Column::Kind::time:
-        case Column::Kind::named: return 0;
+        case Column::Kind::named:
+        case Column::Kind::parameter: return 0;
         case Column::Kind::angle: return share;
         case Column::Kind::place_x:
         case Column::Kind::place_y:
@@ -117,6 +118,9 @@ double NoiseLevels::level(const Column& column, const Sizes& sizes) const {
         case QuantityKind::angular_acceleration: return share * sizes.acceleration / size_;
         case QuantityKind::force: return share * sizes.force;
         case QuantityKind::moment: return share * sizes.force * size_;
+        case QuantityKind::power: return share * sizes.force * sizes.velocity;
+        case QuantityKind::angle: return share;
+        case QuantityKind::length: return share * size_;
         default: return 0;
     }
 }

@@ -27,7 +27,7 @@ void RowCheck::compare(const Row& row) {
     if (row.has_forces) forces = check_forces(mechanism_, pose_, motion);
     for (std::size_t i = 0; i < row.columns.size(); ++i) {
         const Column& column = row.columns[i];
-        if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
+        if (row.empty[i] || (column.kind != Column::Kind::result && column.kind != Column::Kind::along)) continue;
         const auto found = numeric(row, column, motion, forces ? &*forces : nullptr);
         const auto heard = [&](double value) { return std::abs(value) < row.noise[i] ? 0 : value; };
         if (found) off_.hold(i, column, heard(row.values[i]), heard(*found), row.positions.coordinate());
@@ -56,6 +56,11 @@ std::optional<double> RowCheck::numeric(const Row& row, const Column& column, co
     const Quantity& q = column.quantity;
     const ResultKind& kind = result_kind(q);
     const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::y ? 1 : 0]; };
+    if (kind.on_request) {
+        if (kind.shape != ResultKind::Shape::place) return std::nullopt;
+        const auto place = numeric_centre(motion, q);
+        return place ? std::optional(part(*place)) : std::nullopt;
+    }
     if (kind.subject == ResultKind::Subject::effort) {
         if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
         return forces->efforts[at_index(q.given)];

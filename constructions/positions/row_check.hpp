@@ -25,6 +25,7 @@ public:
         const std::vector<Column>& columns;
         const std::vector<double>& values;
         const std::vector<double>& noise;  ///< by column: smaller values are compared as zero
+        const std::vector<bool>& empty;    ///< by column: there is no value to compare
         const Places& places;
         const Positions& positions;
         bool has_forces = false;

@@ -47,6 +47,7 @@ public:
         if (applied.elements.force != none) add(board_.power(VectorOn<Plane::force>{applied.elements.force}, velocity));
         if (applied.elements.couple != none) add(board_.product(ScalarHandle{applied.elements.couple}, omega));
         total_ = total_ ? board_.sum(*total_, *power) : *power;
+        note(quantity_of(free, applied), *power);
 
         VirtualWork::Entry entry;
         entry.symbol = applied.symbol;
@@ -57,12 +58,24 @@ public:
         return entry;
     }
     ElementIndex total() const { return total_->element; }
+    std::vector<VirtualWork::Power> powers() && { return std::move(powers_); }
 
 private:
+    /// A spring or an actuator acts on two bodies.
+    void note(const Quantity& quantity, ScalarHandle power) {
+        for (VirtualWork::Power& each : powers_)
+            if (each.quantity == quantity) {
+                each.power = Recorded<Exact>::at(board_.sum(ScalarHandle{each.power.element()}, power).element);
+                return;
+            }
+        powers_.push_back({quantity, Recorded<Exact>::at(power.element)});
+    }
+
     Board& board_;
     SpaceDiagram diagram_;
     const Track<Plane::velocity>& velocities_;
     std::optional<ScalarHandle> total_;
+    std::vector<VirtualWork::Power> powers_;
 };
 
 }  // namespace
@@ -82,6 +95,7 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
     }
     if (work.entries.empty()) return std::nullopt;
     work.total_element = powers.total();
+    work.powers = std::move(powers).powers();
     return work;
 }
 

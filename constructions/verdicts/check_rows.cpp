@@ -58,12 +58,12 @@ private:
 
     template <class Value>
     void compare_motion(const Quantity& quantity, const Value& found) {
-        if (result_kind(quantity).is_of_forces()) return;
+        if (result_kind(quantity).is_of_forces() || result_kind(quantity).on_request) return;
         const auto numeric = numeric_result(numeric_, mechanism_, solution_.pose, quantity);
         if (!numeric) return;
         if constexpr (std::is_same_v<Value, Exact>)
             add(quantity, found.to_double(), (*numeric)[0]);
-        else
+        else if constexpr (std::is_same_v<Value, Vector>)
             add(quantity, found, *numeric);
     }
 

@@ -1,5 +1,8 @@
 #include "engine/check/numeric_result.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
@@ -23,6 +26,19 @@ std::optional<Components> numeric_sliding(const NumericMotion& motion, const Joi
 }
 
 }  // namespace
+
+std::optional<Components> numeric_centre(const NumericMotion& motion, const Quantity& centre) {
+    const auto &first = motion.bodies[at_index(centre.body)], &second = motion.bodies[at_index(centre.other)];
+    if (!first.velocity_known || !second.velocity_known) return std::nullopt;
+    const double omega = second.omega - first.omega;
+    // Below this the quotient does not determine the place.
+    constexpr double least_relative_spin = 1e-6;
+    if (!(std::abs(omega) > least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega))))
+        return std::nullopt;
+    const Vector origin;
+    const Components relative = difference(motion.velocity(centre.other, origin), motion.velocity(centre.body, origin));
+    return Components{-relative[1] / omega, relative[0] / omega};
+}
 
 std::optional<Components> numeric_result(const NumericMotion& motion, const Mechanism& mechanism, const Pose& pose,
                                          const Quantity& quantity) {

@@ -14,4 +14,8 @@ namespace kinegraph {
 std::optional<std::array<double, 2>> numeric_result(const NumericMotion& motion, const Mechanism& mechanism,
                                                     const Pose& pose, const Quantity& quantity);
 
+/// The place, m, where the two bodies of an instant centre have the same velocity. None where the drivers do not
+/// determine it, or where they hardly turn against each other.
+std::optional<std::array<double, 2>> numeric_centre(const NumericMotion& motion, const Quantity& centre);
+
 }  // namespace kinegraph

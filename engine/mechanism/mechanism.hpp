@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/file/error.hpp"
+#include "engine/file/formula.hpp"
 #include "engine/mechanism/law.hpp"
 #include "engine/mechanism/pair.hpp"
 #include "engine/number/exact.hpp"
@@ -281,6 +282,13 @@ struct AskedScale {
     std::string where;
 };
 
+/// A parameter of the file, for expressions of results.
+struct NamedParameter {
+    std::string name;
+    double value = 0;  ///< SI, angles in rad
+    Dimension dimension;
+};
+
 /// What a file states in place of joints (engine/mechanism/problem.hpp).
 struct Problem;
 /// The materials of the contact at a joint (engine/mechanism/contact.hpp).
@@ -310,6 +318,7 @@ struct Mechanism {
     std::shared_ptr<const Problem> problem;                      ///< in place of joints; null: none
     std::shared_ptr<const std::vector<LoadedContact>> contacts;  ///< null: no joint has materials
     std::shared_ptr<const Exercise> exercise;                    ///< null: the file is no exercise
+    std::vector<NamedParameter> parameters;                      ///< in the file's order
     Find find;
     std::vector<AskedScale> scales;
 

@@ -5,6 +5,7 @@
 
 #include "engine/mechanism/problem.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "lang/keys/common.hpp"
@@ -75,10 +76,14 @@ bool holds_by(Condition::Relation relation, int order) {
 constinit const FormValue forms::variation = values::any(variation_objects);
 
 void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
+    for (const std::string_view name : parameter_names_)
+        if (const Parameter& each = parameters_.at(name); each.state == Parameter::State::read)
+            mechanism.parameters.push_back({std::string(name), in_si(each.value).to_double(), each.value.dimension});
     if (!file["ask"] && !file["vary"] && !file["require"]) return;
     // Names of results are known only if everything that has results was readable.
     knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
     if (knows_results_) results_ = possible_results(mechanism);
+    parameter_columns_ = parameter_columns(mechanism);
     // A value that replaces a formula hides the dependencies of the formula.
     knows_uses_ =
         faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
@@ -107,6 +112,7 @@ tl::expected<Column, Words> ExerciseReader::add_expression(std::string_view text
         std::vector<Column> known = results_;
         known.push_back(transmission_column());
         known.insert(known.end(), expressions_.begin(), expressions_.end());
+        known.insert(known.end(), parameter_columns_.begin(), parameter_columns_.end());
         const auto read = ResultExpression::read(text, known);
         if (!read) return tl::make_unexpected(read.error());
         column = read->column();

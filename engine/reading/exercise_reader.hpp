@@ -48,6 +48,7 @@ private:
 
     std::vector<Column> results_;      ///< of the mechanism
     std::vector<Column> expressions_;  ///< of results, which the file has named so far
+    std::vector<Column> parameter_columns_;
     bool knows_results_ = false;
     bool knows_uses_ = false;  ///< the uses of parameters are known: the rest was readable, with the file's own values
 };

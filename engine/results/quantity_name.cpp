@@ -47,6 +47,7 @@ private:
             case mass: return body_name(mechanism_.masses[at(q.given)].body);
             case effort: return std::visit(name_of_given, mechanism_.efforts[at(q.given)]);
             case bar: return bar_name(q.body);
+            case coupler: return mechanism_.joint(q.joint).name;
         }
         KG_ASSERT(false, "a quantity has a subject or none");
     }

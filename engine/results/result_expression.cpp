@@ -12,6 +12,7 @@
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/results/operands.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/common.hpp"
@@ -66,6 +67,7 @@ Dimension dimension_of_unit(std::string_view unit) {
     return whole;
 }
 Dimension dimension_of(const Column& column) {
+    if (column.dimension) return *column.dimension;
     return column.si_unit.empty() ? kinegraph::dimension_of(column.unit) : dimension_of_unit(column.si_unit);
 }
 
@@ -89,8 +91,10 @@ public:
     }
     std::vector<Column> parts() && { return std::move(parts_); }
     bool is_vector_named(std::string_view name) const {
-        return std::any_of(known_.begin(), known_.end(),
-                           [&](const Column& column) { return vector_of_component(column) == name; });
+        return std::any_of(known_.begin(), known_.end(), [&](const Column& column) {
+            return result_kind(column.quantity).shape == ResultKind::Shape::vector &&
+                   vector_of_component(column) == name;
+        });
     }
 
 private:
@@ -454,13 +458,16 @@ tl::expected<ResultExpression, Words> ResultExpression::read(std::string_view te
     expression.is_named_ = named.name != named.text;
     expression.root_ = std::move(read->node);
     expression.parts_ = std::move(reader).parts();
-    if (expression.parts_.empty()) return refused({lang::expressions::no_result_stands_in, quoted(named.text)});
+    const auto is_parameter = [](const Column& part) { return part.kind == Column::Kind::parameter; };
+    if (std::all_of(expression.parts_.begin(), expression.parts_.end(), is_parameter))
+        return refused({lang::expressions::no_result_stands_in, quoted(named.text)});
     const auto kind = kind_of(read->kind.dimension);
     expression.column_ = {Column::Kind::named,
                           {},
                           std::string(named.name),
                           kind.value_or(QuantityKind::dimensionless),
                           std::string(text)};
+    expression.column_.dimension = read->kind.dimension;
     if (kind) return expression;
     Dimension without_angle = read->kind.dimension;
     without_angle.angle = 0;
@@ -483,9 +490,10 @@ NamedExpression named_expression(std::string_view text) {
 }
 
 std::optional<ResultExpression> expression_called(std::string_view name, const Mechanism& mechanism) {
+    for (ResultExpression& each : defined_results(mechanism))
+        if (each.column().name == name) return std::move(each);
     if (!mechanism.exercise || mechanism.exercise->expressions.empty()) return std::nullopt;
-    std::vector<Column> known = possible_results(mechanism);
-    known.push_back(transmission_column());
+    std::vector<Column> known = operands_of_expressions(mechanism);
     for (const std::string& text : mechanism.exercise->expressions) {
         auto read = ResultExpression::read(text, known);
         if (!read) continue;
@@ -497,8 +505,9 @@ std::optional<ResultExpression> expression_called(std::string_view name, const M
 
 std::string vector_of_component(const Column& column) {
     if (column.kind != Column::Kind::result || column.quantity.component == Quantity::Component::whole) return {};
-    const std::string_view letter = result_kind(column.quantity).column;
-    return std::string(letter) + column.name.substr(letter.size() + 1);
+    const ResultKind& row = result_kind(column.quantity);
+    if (row.shape == ResultKind::Shape::place) return column.name.substr(2);
+    return std::string(*row.column) + column.name.substr(row.column->size() + 1);
 }
 
 }  // namespace kinegraph

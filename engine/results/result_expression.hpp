@@ -32,6 +32,8 @@ public:
 
     /// Its own name, or its text, of the kind Column::Kind::named.
     const Column& column() const { return column_; }
+    /// What readers call it.
+    void call(Key said) { column_.said = said; }
     /// The columns whose values it is made of, none twice.
     const std::vector<Column>& parts() const { return parts_; }
     /// From the values of the parts, in their order. None: a divisor is zero within its error, or a root or a quotient
@@ -74,7 +76,8 @@ struct NamedExpression {
     std::string_view name, text;
 };
 NamedExpression named_expression(std::string_view text);
-/// The expression that the exercise of the mechanism asks for under this name; none: it is no expression.
+/// The expression that has this name: a defined result (engine/results/operands.hpp), or one that the exercise of the
+/// mechanism asks for. None: it is no expression.
 std::optional<ResultExpression> expression_called(std::string_view name, const Mechanism& mechanism);
 /// The name of the vector that a component belongs to: "v B" of "vx B", "F A 3 on 2" of "Fx A 3 on 2"; empty for other
 /// columns.

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/truss.hpp"
 
@@ -13,11 +16,23 @@ namespace {
 
 using Kind = Quantity::Kind;
 
+std::string name_of_load(const Mechanism& mechanism, int given) {
+    return std::visit([](const auto& each) { return each.name; }, mechanism.loads[at_index(given)]);
+}
+std::string name_of_effort(const Mechanism& mechanism, int given) {
+    return std::visit([](const auto& each) { return each.name; }, mechanism.efforts[at_index(given)]);
+}
+bool is_a_load(const std::string& name, const Mechanism& mechanism) {
+    for (std::size_t i = 0; i < mechanism.loads.size(); ++i)
+        if (name_of_load(mechanism, static_cast<int>(i)) == name) return true;
+    return false;
+}
+
 /// "omega 3", "vx A", "F A 3 on 2", "effort M".
 std::string name_of_column(const Quantity& q, const Mechanism& mechanism, const std::string& subject) {
     using Subject = ResultKind::Subject;
     const ResultKind& kind = result_kind(q);
-    std::string name(kind.column);
+    std::string name(*kind.column);
     if (q.component != Quantity::Component::whole) name += q.component == Quantity::Component::x ? 'x' : 'y';
     const auto body = [&](BodyIndex index) { return index == none ? std::string("pin") : mechanism.body(index).name; };
     switch (kind.subject) {
@@ -26,15 +41,15 @@ std::string name_of_column(const Quantity& q, const Mechanism& mechanism, const 
             return name + " " + mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
         case Subject::effort:
             return name + " " +
-                   std::visit([](const auto& each) { return each.name; }, mechanism.efforts[at_index(q.given)]);
-        default: return name + " " + subject;
+                   (kind.on_request ? subject_on_request(q, mechanism) : name_of_effort(mechanism, q.given));
+        default: return name + " " + (kind.on_request ? subject_on_request(q, mechanism) : subject);
     }
 }
 
 /// All quantities that a solution may contain, with the names of their subjects.
 class Possible {
 public:
-    explicit Possible(const Mechanism& mechanism) : m_(mechanism) {}
+    Possible(const Mechanism& mechanism, int driver) : m_(mechanism), driver_(driver) {}
 
     std::vector<Column> all() && {
         for (const BodyIndex body : m_.moving_bodies())
@@ -43,6 +58,7 @@ public:
         for (const Joint& joint : m_.joints) add_joint(joint);
         for (std::size_t e = 0; e < m_.efforts.size(); ++e)
             add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
+        add_on_request();
         for (const auto& [quantity, subject] : vectors_) {
             Column column = modulus_column(quantity, m_, subject);
             const auto is_taken = [&](const Column& other) { return other.name == column.name; };
@@ -100,12 +116,67 @@ private:
         if (joint.pair().transmits_couple()) add(quantity, "");
     }
 
+    void add_on_request() {
+        for (const BodyIndex first : indices_of(m_.bodies))
+            for (const BodyIndex second : m_.bodies_after(first))
+                for (const auto axis : {Quantity::Component::x, Quantity::Component::y})
+                    add_unless_taken({.kind = Kind::centre, .body = first, .other = second, .component = axis});
+        const auto add_powers = [&](Kind kind, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) add_unless_taken({.kind = kind, .given = static_cast<int>(i)});
+        };
+        add_powers(Kind::power_of_load, m_.loads.size());
+        if (m_.gravity) add_powers(Kind::power_of_weight, m_.masses.size());
+        if (m_.inertia_forces) add_powers(Kind::power_of_inertia, m_.masses.size());
+        add_powers(Kind::power_of_effort, m_.efforts.size());
+        for (auto& [column, coupler] : transmission_columns(m_, driver_)) columns_.push_back(std::move(column));
+    }
+    void add_unless_taken(const Quantity& quantity) {
+        std::vector<Column> added;
+        add_columns(quantity, m_, "", added);
+        const auto is_taken = [&](const Column& other) { return other.name == added.front().name; };
+        if (std::none_of(columns_.begin(), columns_.end(), is_taken)) columns_.push_back(std::move(added.front()));
+    }
+
     const Mechanism& m_;
+    int driver_;
     std::vector<Column> columns_;
     std::vector<std::pair<Quantity, std::string>> vectors_;
 };
 
 }  // namespace
+
+std::string subject_on_request(const Quantity& q, const Mechanism& mechanism) {
+    using Subject = ResultKind::Subject;
+    switch (result_kind(q).subject) {
+        case Subject::two_bodies: return "P" + centre_symbol(mechanism, q.body, q.other, false).about;
+        case Subject::load: return name_of_load(mechanism, q.given);
+        case Subject::mass: return mechanism.body(mechanism.masses[at_index(q.given)].body).name;
+        case Subject::effort: {
+            const std::string name = name_of_effort(mechanism, q.given);
+            return (is_a_load(name, mechanism) ? "effort " : "") + name;
+        }
+        case Subject::coupler: return mechanism.joint(q.joint).name;
+        default: break;
+    }
+    KG_ASSERT(false, "a result on request has one of these subjects");
+}
+
+std::vector<std::pair<Column, Coupler>> transmission_columns(const Mechanism& mechanism, int driver) {
+    std::vector<std::pair<Column, Coupler>> columns;
+    if (at_index(driver) >= mechanism.drivers.size()) return columns;
+    for (const Coupler& coupler : couplers_of(mechanism, driver)) {
+        const Quantity quantity{
+            .kind = Kind::transmission_angle, .body = coupler.follower, .other = coupler.body, .joint = coupler.pin};
+        std::vector<Column> column;
+        add_columns(quantity, mechanism, "", column);
+        // A pin that drives several links has an angle with each.
+        const auto is_taken = [&](const auto& each) { return each.first.name == column.front().name; };
+        if (std::any_of(columns.begin(), columns.end(), is_taken))
+            column.front().name += " on " + mechanism.body(coupler.follower).name;
+        if (std::none_of(columns.begin(), columns.end(), is_taken)) columns.emplace_back(column.front(), coupler);
+    }
+    return columns;
+}
 
 void add_columns(const Quantity& q, const Mechanism& mechanism, const std::string& subject,
                  std::vector<Column>& columns) {
@@ -171,7 +242,15 @@ std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism)
 
 Column transmission_column() { return {Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle}; }
 
-std::vector<Column> possible_results(const Mechanism& mechanism) { return Possible(mechanism).all(); }
+std::vector<Column> constructed_results(const Mechanism& mechanism, int driver) {
+    return Possible(mechanism, driver).all();
+}
+
+std::vector<Column> possible_results(const Mechanism& mechanism, int driver) {
+    std::vector<Column> columns = constructed_results(mechanism, driver);
+    for (const ResultExpression& each : defined_results(mechanism)) columns.push_back(each.column());
+    return columns;
+}
 
 std::vector<Column> asked_columns(const Mechanism& mechanism) {
     std::vector<Column> columns;

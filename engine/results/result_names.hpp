@@ -4,9 +4,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/couplers.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/sentences/column.hpp"
 #include "engine/sentences/statement.hpp"
@@ -27,9 +29,18 @@ bool is_modulus(const Column& column);
 /// where the two bodies meet at several joints.
 Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism);
 
+/// What a result on request is named by, behind its letter: "P13" (P1,3 where names are long), "F_gas", "3", "B".
+std::string subject_on_request(const Quantity& quantity, const Mechanism& mechanism);
+
 /// All results that a solution of this mechanism may contain, under every possible name: for a point that several
 /// bodies carry "vx A" and "vx A on 4". Not for problems without joints: their results depend on the solution.
-std::vector<Column> possible_results(const Mechanism& mechanism);
+/// `driver`: of whose couplers the transmission angles are.
+std::vector<Column> possible_results(const Mechanism& mechanism, int driver = 0);
+/// The same without those that are defined by others (engine/results/operands.hpp).
+std::vector<Column> constructed_results(const Mechanism& mechanism, int driver = 0);
+
+/// The transmission angles as they are drawn, by their columns.
+std::vector<std::pair<Column, Coupler>> transmission_columns(const Mechanism& mechanism, int driver);
 
 /// For a truss: the force in a bar (Quantity::Kind::bar, tension positive), if the column is the magnitude of the force
 /// of a pin on it and nothing else acts on the bar there.

@@ -13,8 +13,11 @@
 #include "engine/number/assert.hpp"
 #include "engine/results/json_parts.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_kind.hpp"
+#include "engine/solution/result_values.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/phrases.hpp"
 
@@ -144,6 +147,12 @@ std::string check_row(std::string_view name, const ProblemValue& value) {
     return check_row(name, value.value, numeric, value.value - numeric);
 }
 
+bool forces_asked(const Solution& solution) {
+    const Mechanism& mechanism = solution.mechanism;
+    if (mechanism.find.stated) return mechanism.find.forces;
+    return !mechanism.loads.empty() || !mechanism.efforts.empty() || !solution.resultants.empty();
+}
+
 /// The base of the sections of the results.
 class ResultsSection {
 public:
@@ -271,6 +280,15 @@ public:
             all.push_back(std::move(seen).json());
         }
         return lines('[', all, ']');
+    }
+
+    /// rad, by the joint at which a coupler drives a link.
+    Members transmission_angles() const {
+        Members all;
+        constexpr std::string_view name = "transmission angle ";
+        for (const auto& [column, coupler] : transmission_columns(mechanism_, 0))
+            all.emplace_back(column.name.substr(name.size()), number(transmission_angle(coupler, solution_.pose)));
+        return all;
     }
 
 private:
@@ -411,6 +429,21 @@ public:
         return object_of_lines(all);
     }
 
+    /// W, by the sections of the file.
+    Members powers() const {
+        Members all;
+        const auto add = [&](const Quantity& quantity, const auto& power) {
+            const std::string_view key = section_of_power(quantity.kind);
+            if (all.empty() || all.back().first != key) all.emplace_back(key, "");
+            std::string& json = all.back().second;
+            json += json.empty() ? "{" : ", ";
+            append_member(json, name_of_acting(quantity), number(*power));
+        };
+        if (forces_asked(solution_)) for_each_power(solution_, add);
+        for (auto& each : all) each.second += '}';
+        return all;
+    }
+
     /// N, tension positive.
     std::string bars() const {
         const Truss& truss = *solution_.truss;
@@ -465,6 +498,24 @@ public:
     }
 
 private:
+    static std::string_view section_of_power(Quantity::Kind kind) {
+        switch (kind) {
+            case Quantity::Kind::power_of_load: return "loads";
+            case Quantity::Kind::power_of_weight: return "weights";
+            case Quantity::Kind::power_of_inertia: return "inertia forces";
+            default: return "effort";
+        }
+    }
+    std::string name_of_acting(const Quantity& power) const {
+        const auto name = [](const auto& given) { return given.name; };
+        const std::size_t i = at_index(power.given);
+        switch (result_kind(power).subject) {
+            case ResultKind::Subject::load: return std::visit(name, mechanism_.loads[i]);
+            case ResultKind::Subject::mass: return name_of_body(mechanism_.masses[i].body);
+            default: return std::visit(name, mechanism_.efforts[i]);
+        }
+    }
+
     /// The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
     static void add_through(const JointForce& action, const Vector& at, Entry& here) {
         const Vector& force = *action.force;
@@ -495,12 +546,15 @@ public:
             file.emplace_back("acceleration centres", motion.acceleration_centres());
         if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", motion.relative_motion());
         if (!solution_.curvature.empty()) file.emplace_back("curvature", motion.curvature());
-        if (forces_asked()) {
+        if (auto angles = motion.transmission_angles(); !angles.empty())
+            file.emplace_back("transmission angles", object_of_lines(angles));
+        if (forces_asked(solution_)) {
             file.emplace_back("forces", forces.forces());
             file.emplace_back("effort", forces.effort());
             if (solution_.truss) file.emplace_back("bars", forces.bars());
             if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", forces.cuts());
         }
+        if (auto powers = forces.powers(); !powers.empty()) file.emplace_back("power", object_of_lines(powers));
         if (!solution_.resultants.empty()) file.emplace_back("resultant", forces.resultants());
         if (solution_.contacts) file.emplace_back(solution_.contacts->kind->key, contacts());
         if (solution_.equations && solution_.equations->why_not.empty())
@@ -547,11 +601,6 @@ private:
             all.push_back(object(members));
         }
         return lines('[', all, ']');
-    }
-
-    bool forces_asked() const {
-        if (mechanism_.find.stated) return mechanism_.find.forces;
-        return !mechanism_.loads.empty() || !mechanism_.efforts.empty() || !solution_.resultants.empty();
     }
 
     std::string checks() const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/file/formula.hpp"
 #include "engine/file/units.hpp"
 #include "engine/sentences/quantity.hpp"
 #include "lang/words.hpp"
@@ -23,16 +24,19 @@ struct Column {
                   ///< continues past a full turn
         place_x,  ///< of a point
         place_y,
-        slid,    ///< displacement at a straight slide, along X, since the drawn pose
-        result,  ///< `quantity`: a scalar or a component
-        along,   ///< `quantity`, a sliding: along X, or along the common tangent of a contact
-        named    ///< the text `name`
+        slid,      ///< displacement at a straight slide, along X, since the drawn pose
+        result,    ///< `quantity`: a scalar or a component
+        along,     ///< `quantity`, a sliding: along X, or along the common tangent of a contact
+        named,     ///< the text `name`
+        parameter  ///< of the file, named `name`: within expressions only
     } kind = Kind::turn;
     Quantity quantity;  ///< places: the velocity of the point; angle: ω; slid: the sliding velocity
     std::string name;   ///< as docs/command_line.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
     QuantityKind unit = QuantityKind::dimensionless;
-    std::string expression = {};  ///< of an expression of results: its text
-    std::string si_unit = {};     ///< of an expression whose quantity has no kind: "m²/s³"
+    std::string expression = {};                        ///< of an expression of results: its text
+    std::string si_unit = {};                           ///< of an expression whose quantity has no kind: "m²/s³"
+    std::optional<Dimension> dimension = std::nullopt;  ///< of an expression or a parameter
+    std::optional<Key> said = std::nullopt;             ///< on paper, where it is not called by its name
 };
 
 /// The travel of a driver.

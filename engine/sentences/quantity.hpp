@@ -35,7 +35,12 @@ struct Quantity {
         virtual_effort,       ///< the effort `given`, by virtual displacements
         resultant,            ///< of everything given on `body` and the bodies connected to it
         resultant_couple,     ///< the same, about the origin
-        bar                   ///< the force in the bar `body` of a truss, tension positive
+        bar,                  ///< the force in the bar `body` of a truss, tension positive
+        power_of_load,        ///< `given`: index in Mechanism::loads
+        power_of_weight,      ///< `given`: index in Mechanism::masses
+        power_of_inertia,
+        power_of_effort,    ///< `given`: index in Mechanism::efforts
+        transmission_angle  ///< at `joint`, between the coupler `other` and the link `body` that it drives
     } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/sheet.hpp"
 
 namespace kinegraph {
 namespace {
@@ -22,7 +23,8 @@ constexpr std::array rows{
     ResultKind{Kind::omega, Subject::body, Shape::scalar, In::angular_velocity, Letter::omega, "omega", "", "omega"},
     ResultKind{Kind::alpha, Subject::body, Shape::scalar, In::angular_acceleration, Letter::alpha, "alpha", "",
                "alpha"},
-    ResultKind{Kind::centre, Subject::two_bodies, Shape::vector, In::length, Letter::centre, "centre"},
+    ResultKind{Kind::centre, Subject::two_bodies, Shape::place, In::length, Letter::centre, "centre", "", "", true, "",
+               lang::sheet::asked_centre},
     ResultKind{Kind::sliding_velocity, Subject::joint, Shape::along, In::velocity, Letter::v, "sliding", " velocity",
                "v"},
     ResultKind{Kind::sliding_acceleration, Subject::joint, Shape::along, In::acceleration, Letter::a, "sliding",
@@ -46,6 +48,16 @@ constexpr std::array rows{
     ResultKind{Kind::resultant, Subject::body, Shape::vector, In::force, Letter::F, "resultant"},
     ResultKind{Kind::resultant_couple, Subject::body, Shape::scalar, In::moment, Letter::M, "resultant", " couple"},
     ResultKind{Kind::bar, Subject::bar, Shape::scalar, In::force, Letter::F, "bar"},
+    ResultKind{Kind::power_of_load, Subject::load, Shape::scalar, In::power, Letter::point, "power", "", "power", true,
+               "P", lang::sheet::asked_power},
+    ResultKind{Kind::power_of_weight, Subject::mass, Shape::scalar, In::power, Letter::point, "power weight", "",
+               "power weight", true, "P", lang::sheet::asked_power_of_weight},
+    ResultKind{Kind::power_of_inertia, Subject::mass, Shape::scalar, In::power, Letter::point, "power inertia", "",
+               "power inertia", true, "P", lang::sheet::asked_power_of_inertia},
+    ResultKind{Kind::power_of_effort, Subject::effort, Shape::scalar, In::power, Letter::point, "power", "", "power",
+               true, "P", lang::sheet::asked_power},
+    ResultKind{Kind::transmission_angle, Subject::coupler, Shape::scalar, In::angle, Letter::point,
+               "transmission angle", "", "transmission angle", true, "γ", lang::sheet::asked_transmission_here},
 };
 
 constexpr bool are_in_order() {
@@ -53,7 +65,7 @@ constexpr bool are_in_order() {
         if (rows[i].kind != static_cast<Kind>(i)) return false;
     return true;
 }
-static_assert(are_in_order() && rows.size() == static_cast<std::size_t>(Kind::bar) + 1);
+static_assert(are_in_order() && rows.size() == static_cast<std::size_t>(Kind::transmission_angle) + 1);
 
 bool acts_as_couple(const Load& load) {
     return std::holds_alternative<CoupleLoad>(load) || std::holds_alternative<TorsionLoad>(load);
@@ -67,10 +79,9 @@ std::span<const ResultKind> result_kinds() { return rows; }
 
 QuantityKind unit_kind_of(const Quantity& quantity, const Mechanism& mechanism) {
     const ResultKind& row = result_kind(quantity);
-    const bool is_couple =
-        (row.subject == Subject::load && acts_as_couple(mechanism.loads[at_index(quantity.given)])) ||
-        (row.subject == Subject::effort &&
-         std::holds_alternative<CoupleEffort>(mechanism.efforts[at_index(quantity.given)]));
+    const bool is_couple = (quantity.kind == Kind::load && acts_as_couple(mechanism.loads[at_index(quantity.given)])) ||
+                           (row.unit == QuantityKind::force && row.subject == Subject::effort &&
+                            std::holds_alternative<CoupleEffort>(mechanism.efforts[at_index(quantity.given)]));
     return is_couple ? QuantityKind::moment : row.unit;
 }
 

@@ -2,6 +2,7 @@
 // tables and checks are made from it; values are elsewhere (engine/solution/result_values.hpp).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -24,10 +25,12 @@ struct ResultKind {
         load,
         mass,
         effort,
-        bar
+        bar,
+        coupler  ///< at the pin at which it drives a link
     };
     /// `along`: a vector that has one direction, and as a column its component along it.
-    enum class Shape { scalar, vector, along };
+    /// `place`: of a point, which may lie at infinity.
+    enum class Shape { scalar, vector, along, place };
 
     Quantity::Kind kind = Quantity::Kind::unnamed;
     Subject subject = Subject::nothing;
@@ -36,7 +39,12 @@ struct ResultKind {
     Symbol::Letter letter = Symbol::Letter::point;
     std::string_view name;         ///< in checks, before its subject: "omega", "force"
     std::string_view ending = {};  ///< in checks, behind it: " couple"
-    std::string_view column = {};  ///< of its column, before the axis and its subject: "v" of "vx A"; empty: none
+    /// Of its column, before the axis and its subject: "v" of "vx A", "" of "x P13"; none: it has no column.
+    std::optional<std::string_view> column = std::nullopt;
+    /// Whether a sweep has its column only where it is asked for, since it costs time or has gaps.
+    bool on_request = false;
+    std::string_view sign = {};               ///< its letter where no Symbol has it: "γ"
+    std::optional<Key> asked = std::nullopt;  ///< what an exercise asks for, of {0} the symbol and {1} the subject
 
     /// Of bodies: an angular velocity or acceleration.
     bool turns() const { return unit == QuantityKind::angular_velocity || unit == QuantityKind::angular_acceleration; }

@@ -121,6 +121,7 @@ void visit(VirtualWork& work, See& see) {
         visit_pair(entry.elements.omega, entry.omega, see);
         visit_pair(entry.elements.power, entry.power, see);
     }
+    for (VirtualWork::Power& each : work.powers) each.power.visit(see);
     for (VirtualWork::Share& share : work.shares) {
         share.velocity.visit(see);
         for (auto* found : {&share.omega, &share.power}) found->visit(see);

@@ -4,15 +4,61 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 
-/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar and
-/// Vector for a vector: bodies in the file's order, points that are not of the frame, slidings, actions at joints,
-/// efforts.
+/// The power of a force or a couple.
+inline Quantity power_of(const Quantity& action) {
+    using Kind = Quantity::Kind;
+    return {.kind = action.kind == Kind::load      ? Kind::power_of_load
+                    : action.kind == Kind::weight  ? Kind::power_of_weight
+                    : action.kind == Kind::inertia ? Kind::power_of_inertia
+                                                   : Kind::power_of_effort,
+            .given = action.given};
+}
+/// Whether forces were found and all powers vanish, since nothing moves.
+inline bool has_no_power(const Solution& solution) {
+    const auto is_found = [](const EffortValue& each) { return each.value.has_value(); };
+    const auto rests = [](const auto& rate) { return rate && *rate == std::decay_t<decltype(*rate)>(); };
+    return !solution.free_bodies.empty() && !solution.mechanism.drivers.empty() &&
+           std::all_of(solution.efforts.begin(), solution.efforts.end(), is_found) &&
+           std::all_of(solution.bodies.begin() + 1, solution.bodies.end(),
+                       [&](const BodyMotion& each) { return rests(each.omega); }) &&
+           std::all_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
+               return std::find(each.bodies.begin(), each.bodies.end(), frame) != each.bodies.end() ||
+                      rests(each.velocity);
+           });
+}
+/// The powers of loads, weights, inertia forces and efforts in the motion found, for `show(Quantity, Recorded<Exact>)`.
+template <class Show>
+void for_each_power(const Solution& solution, Show show) {
+    if (!solution.virtual_work && !has_no_power(solution)) return;
+    using Kind = Quantity::Kind;
+    const Mechanism& mechanism = solution.mechanism;
+    const auto show_all = [&](Kind kind, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Quantity action{.kind = kind, .given = static_cast<int>(i)};
+            // What has no entry vanishes.
+            Recorded<Exact> power = Recorded<Exact>::zero();
+            if (solution.virtual_work)
+                for (const VirtualWork::Power& each : solution.virtual_work->powers)
+                    if (each.quantity == action) power = each.power;
+            show(power_of(action), power);
+        }
+    };
+    show_all(Kind::load, mechanism.loads.size());
+    if (mechanism.gravity) show_all(Kind::weight, mechanism.masses.size());
+    if (mechanism.inertia_forces) show_all(Kind::inertia, mechanism.masses.size());
+    show_all(Kind::effort, mechanism.efforts.size());
+}
+
+/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar, Vector for
+/// a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points that are not of the
+/// frame, slidings, actions at joints, efforts, centres, powers.
 template <class See>
 void for_each_result(const Solution& solution, See see) {
     const auto show = [&](const Quantity& quantity, const auto& found) {
@@ -40,6 +86,8 @@ void for_each_result(const Solution& solution, See see) {
     }
     for (std::size_t e = 0; e < solution.efforts.size(); ++e)
         show({.kind = Quantity::Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
+    for (const InstantCentre& centre : solution.centres) show(quantity_of(centre), centre.at);
+    for_each_power(solution, show);
 }
 
 }  // namespace kinegraph

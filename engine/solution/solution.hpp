@@ -252,6 +252,12 @@ struct VirtualWork {
         bool rests = false;  ///< the power is zero, by exact predicate
     };
     std::vector<Entry> entries;
+    /// Of each load, weight, inertia force and effort: the sum of its powers on all bodies that it acts on.
+    struct Power {
+        Quantity quantity;  ///< the force or couple
+        Recorded<Exact> power;
+    };
+    std::vector<Power> powers;  ///< in the order in which they first act; not for virtual displacements
     std::vector<Share> shares;  ///< for virtual displacements only (engine/solution/displacements.hpp); otherwise
                                 ///< efforts are among the entries
     Exact total;                ///< of the entries; exactly zero on an exact pose where efforts are among them

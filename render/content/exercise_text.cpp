@@ -11,6 +11,7 @@
 #include "engine/mechanism/exercise.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
@@ -173,6 +174,7 @@ private:
             case Column::Kind::turn:
             case Column::Kind::time:
             case Column::Kind::slid:
+            case Column::Kind::parameter:
             case Column::Kind::named: break;
         }
         if (const auto expression = expression_called(column.name, mechanism_))
@@ -222,8 +224,39 @@ private:
                 return say(name_of_bar(solution_, q.body) != nullptr ? lang::sheet::asked_bar
                                                                      : lang::sheet::asked_numbered_bar,
                            {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
-            default: return say(lang::sheet::asked_by_name, {symbol, plain_words(column.name)});
+            default: break;
         }
+        if (kind.asked) return say(*kind.asked, on_request(q, symbol));
+        say(lang::sheet::asked_by_name, {symbol, plain_words(column.name)});
+    }
+
+    /// The places of a result's own sentence: its symbol, what it is of, and for a coupler what it drives.
+    std::vector<RichText> on_request(const Quantity& q, const RichText& symbol) const {
+        const auto body_named = [&](BodyIndex index) { return plain_words(mechanism_.body(index).name); };
+        switch (result_kind(q).subject) {
+            case ResultKind::Subject::two_bodies:
+                return {symbol, typeset(centre_symbol(mechanism_, q.body, q.other, false), language())};
+            case ResultKind::Subject::coupler:
+                return {symbol, name(mechanism_.joint(q.joint).point), body_named(q.other), body_named(q.body)};
+            case ResultKind::Subject::mass: return {symbol, body_named(mechanism_.masses[at_index(q.given)].body)};
+            case ResultKind::Subject::load: {
+                const Quantity load{.kind = Quantity::Kind::load, .given = q.given};
+                return {symbol, acting(
+                                    load, [](const auto& each) { return each.name; }, mechanism_.loads)};
+            }
+            default: {
+                const Quantity effort{.kind = Quantity::Kind::effort, .given = q.given};
+                return {symbol, acting(
+                                    effort, [](const auto& each) { return each.name; }, mechanism_.efforts)};
+            }
+        }
+    }
+    /// The symbol of a load or an effort.
+    template <class NameOf, class Given>
+    RichText acting(const Quantity& q, NameOf name_of_given, const std::vector<Given>& all) const {
+        const bool is_couple = unit_kind_of(q, mechanism_) == QuantityKind::moment;
+        return symbol_of_force(std::visit(name_of_given, all[at_index(q.given)]),
+                               is_couple ? Symbol::Letter::M : Symbol::Letter::F);
     }
 
     /// A point, with the body if several bodies carry it separately.

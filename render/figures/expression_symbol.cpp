@@ -2,6 +2,8 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/text/words.hpp"
 
@@ -24,6 +26,9 @@ public:
             case Node::Kind::scalar: return typeset(expression_.parts()[of.x], mechanism_, language_);
             case Node::Kind::vector: {
                 const Column& x = expression_.parts()[of.x];
+                if (result_kind(x.quantity).shape == ResultKind::Shape::place)
+                    return render::typeset(centre_symbol(mechanism_, x.quantity.body, x.quantity.other, false),
+                                           language_);
                 return typeset(modulus_column(x.quantity, mechanism_, vector_of_component(x).substr(2)), mechanism_,
                                language_);
             }
@@ -109,6 +114,7 @@ private:
 }  // namespace
 
 RichText symbol_of(const ResultExpression& expression, const Mechanism& mechanism, Language language) {
+    if (const auto said = expression.column().said) return one_piece(said->in(language));
     if (expression.is_named()) return one_piece(expression.column().name, Face::italic);
     return ExpressionPrinter(expression, mechanism, language).printed(expression.tree());
 }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/expression_symbol.hpp"
@@ -382,20 +384,6 @@ Unit unit_of(const Column& column, const Mechanism& mechanism) {
     return unit_of(column.unit, mechanism);
 }
 
-/// The text of a cam's column; another column that has a name is called by it.
-std::string text_of_column(const std::string& name, Language language) {
-    using namespace lang::sheet;
-    static constexpr std::array<std::pair<std::string_view, Key>, 4> of_cams{{
-        {"rise angle", rise_angle},
-        {"rise angle rate", rise_angle_rate},
-        {"rise angle acceleration", rise_angle_acceleration},
-        {"pressure angle", pressure_angle},
-    }};
-    for (const auto& [known, key] : of_cams)
-        if (known == name) return key.in(language);
-    return name;
-}
-
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
     const std::string axis = q.component == Quantity::Component::whole ? ""
@@ -419,16 +407,24 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Column::Kind::place_x: return symbol("x", mechanism.point(q.point).name, Face::italic);
         case Column::Kind::place_y: return symbol("y", mechanism.point(q.point).name, Face::italic);
         case Column::Kind::slid: return symbol("s", mechanism.joint(q.joint).name, Face::italic);
+        case Column::Kind::parameter: return one_piece(column.name, Face::italic);
         case Column::Kind::along:
-            return symbol(std::string(result_kind(q).column), mechanism.joint(q.joint).name, Face::italic);
+            return symbol(std::string(*result_kind(q).column), mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::named:
+            if (column.said) return with_powers(column.said->in(language));
             if (!column.expression.empty())
-                if (const auto read = ResultExpression::read(column.expression, possible_results(mechanism)))
+                if (const auto read = ResultExpression::read(column.expression, operands_of_expressions(mechanism)))
                     return symbol_of(*read, mechanism, language);
-            return with_powers(text_of_column(column.name, language));
+            return with_powers(column.name);
         case Column::Kind::result: break;
     }
     const ResultKind& kind = result_kind(q);
+    if (kind.on_request) {
+        std::string subject = subject_on_request(q, mechanism);
+        if (kind.shape == ResultKind::Shape::place) subject.replace(0, 1, notation(language).centre);
+        std::erase(subject, '_');  // "F_gas": P_Fgas
+        return symbol(kind.sign.empty() ? axis : std::string(kind.sign), subject, Face::regular);
+    }
     const RichText letter = typeset(Symbol{kind.letter, "", ""}, language);
     switch (kind.subject) {
         case ResultKind::Subject::body: return symbol(letter[0].text, body(q.body), Face::regular, letter[0].dots);
@@ -436,7 +432,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             return symbol(letter[0].text, along(mechanism.point(q.point).name), Face::italic);
         case ResultKind::Subject::action: {
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
-            return symbol(std::string(kind.column), along(pair), Face::regular);
+            return symbol(std::string(*kind.column), along(pair), Face::regular);
         }
         default: {
             // Named as on the sheet: a couple "m" is M with the index m.

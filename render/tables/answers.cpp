@@ -348,7 +348,9 @@ private:
         std::string text = value(answer.value);
         if (turns && answer.value > 0) text.insert(0, "+");
         if (answer.at) text = pair_of(value((*answer.at)[0]), value((*answer.at)[1]), language);
-        const bool at_infinity = answer.section == Topic::centres && !answer.at;
+        // A coordinate of a centre is a number.
+        const bool at_infinity =
+            answer.section == Topic::centres && !answer.at && answer.quantity.component == Quantity::Component::whole;
         cells.all[1] = shape(at_infinity ? word(lang::sheet::at_infinity, language) : text, size);
         if (answer.tolerance) cells.all[2] = shape(number(rounded_up(*answer.tolerance), 1, language), size);
         if (!at_infinity) cells.all[3] = shape(answer.unit, size);
@@ -429,7 +431,10 @@ Topic section_of(const Column& column) {
         case QuantityKind::acceleration:
         case QuantityKind::angular_acceleration: return Topic::acceleration;
         case QuantityKind::force:
-        case QuantityKind::moment: return Topic::forces;
+        case QuantityKind::moment:
+        case QuantityKind::power: return Topic::forces;
+        case QuantityKind::length:
+            return column.quantity.kind == Quantity::Kind::centre ? Topic::centres : Topic::unnamed;
         default: return Topic::unnamed;
     }
 }
@@ -443,6 +448,10 @@ std::optional<double> tolerance_of_expression(const ResultExpression& expression
         const auto value = std::find_if(found.begin(), found.end(),
                                         [&](const RequestedResult& each) { return each.column.name == part.name; });
         if (value == found.end()) return std::nullopt;
+        if (part.kind == Column::Kind::parameter) {
+            parts.push_back({value->value, 0});
+            continue;
+        }
         const auto made_of = expression_called(part.name, mechanism);
         const auto off = made_of ? tolerance_of_expression(*made_of, answers, drawn, found, mechanism)
                                  : reading_tolerance(answers, drawn, part, value->value, mechanism);
