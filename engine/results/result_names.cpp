@@ -129,6 +129,8 @@ private:
         if (m_.inertia_forces) add_powers(Kind::power_of_inertia, m_.masses.size());
         add_powers(Kind::power_of_effort, m_.efforts.size());
         for (auto& [column, coupler] : transmission_columns(m_, driver_)) columns_.push_back(std::move(column));
+        if (const auto truss = truss_of(m_))
+            for (const TrussStructure::Bar& bar : truss->bars) add_unless_taken({.kind = Kind::bar, .body = bar.body});
     }
     void add_unless_taken(const Quantity& quantity) {
         std::vector<Column> added;
@@ -156,6 +158,11 @@ std::string subject_on_request(const Quantity& q, const Mechanism& mechanism) {
             return (is_a_load(name, mechanism) ? "effort " : "") + name;
         }
         case Subject::coupler: return mechanism.joint(q.joint).name;
+        case Subject::bar:
+            if (const auto truss = truss_of(mechanism))
+                for (const TrussStructure::Bar& bar : truss->bars)
+                    if (bar.body == q.body) return bar.name;
+            break;
         default: break;
     }
     KG_ASSERT(false, "a result on request has one of these subjects");

@@ -47,7 +47,7 @@ constexpr std::array rows{
                " by virtual work"},
     ResultKind{Kind::resultant, Subject::body, Shape::vector, In::force, Letter::F, "resultant"},
     ResultKind{Kind::resultant_couple, Subject::body, Shape::scalar, In::moment, Letter::M, "resultant", " couple"},
-    ResultKind{Kind::bar, Subject::bar, Shape::scalar, In::force, Letter::F, "bar"},
+    ResultKind{Kind::bar, Subject::bar, Shape::scalar, In::force, Letter::F, "bar", "", "bar", true, "F"},
     ResultKind{Kind::power_of_load, Subject::load, Shape::scalar, In::power, Letter::point, "power", "", "power", true,
                "P", lang::sheet::asked_power},
     ResultKind{Kind::power_of_weight, Subject::mass, Shape::scalar, In::power, Letter::point, "power weight", "",

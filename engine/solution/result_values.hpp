@@ -56,9 +56,9 @@ void for_each_power(const Solution& solution, Show show) {
     show_all(Kind::effort, mechanism.efforts.size());
 }
 
-/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar, Vector for
-/// a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points that are not of the
-/// frame, slidings, actions at joints, efforts, centres, powers.
+/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar, Vector
+/// for a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points that are not
+/// of the frame, slidings, actions at joints, efforts, centres, powers, forces in bars.
 template <class See>
 void for_each_result(const Solution& solution, See see) {
     const auto show = [&](const Quantity& quantity, const auto& found) {
@@ -88,6 +88,10 @@ void for_each_result(const Solution& solution, See see) {
         show({.kind = Quantity::Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
     for (const InstantCentre& centre : solution.centres) show(quantity_of(centre), centre.at);
     for_each_power(solution, show);
+    for (std::size_t b = 0; solution.truss && b < solution.truss->bars.size(); ++b)
+        if (solution.truss->bars[b].force)
+            see(Quantity{.kind = Quantity::Kind::bar, .body = solution.truss->structure.bars[b].body},
+                Recorded<Exact>(Exact::from_double(solution.truss->tension(b, solution.pose.points))));
 }
 
 }  // namespace kinegraph

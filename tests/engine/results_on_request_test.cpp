@@ -361,6 +361,27 @@ TEST(MechanicalAdvantage, IsOfOneLoadAndOneEffort) {
     EXPECT_DOUBLE_EQ((*asked)[1].value, 2 * (*asked)[0].value);
 }
 
+// --- trusses
+
+TEST(BarForces, AreThoseOfTheResultsFile) {
+    int bars = 0;
+    for (const char* name : {"truss_simple", "truss_roof_wind"}) {
+        const Solution& solution = tests::example(name);
+        const Json json = results_of(solution);
+        for (const auto& [of, force] : json["bars"].items()) {
+            EXPECT_EQ(value_of(solution, "bar " + of), force) << name;
+            ++bars;
+        }
+    }
+    EXPECT_EQ(bars, 18);
+    const Solution solution =
+        tests::solved(with(example_text("truss_simple"), R"("ask": ["bar AB", "bar AB / bar AE"])"));
+    const auto asked = asked_results(solution);
+    ASSERT_TRUE(asked);
+    EXPECT_NEAR((*asked)[0].value, 40000.0 / 3, 1e-6) << "docs/results.md";
+    EXPECT_NEAR((*asked)[1].value, -0.8, 1e-12);
+}
+
 // --- parameters in expressions
 
 std::string four_bar_with_parameters() {
