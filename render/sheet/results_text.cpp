@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "engine/solution/result_values.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
@@ -53,7 +55,8 @@ public:
         const std::string& title = in(solution_.mechanism.title, language_);
         std::string text = title.empty() ? "" : title + "\n";
         text += mobility();
-        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() +
+        text += bodies() + points(true) + points(false) + sliding() + relative() + apart() + centres() +
+                transmission_angles() + reactions() + efforts() + powers() + bars() + cuts(true) + cuts(false) +
                 resultants();
         const auto list = [&](Key key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
@@ -168,23 +171,64 @@ private:
 
     std::string relative() const {
         const Units& units = solution_.mechanism.units;
-        std::vector<Cells> rows{{word(lang::sheet::point, language_), "|v| [" + units.velocity.symbol + "]",
-                                 "|a| [" + units.acceleration.symbol + "]"}};
+        std::vector<Cells> rows{
+            {word(lang::sheet::point, language_), "|v| [" + units.velocity.symbol + "]",
+             "|a| [" + units.acceleration.symbol + "]", named(Symbol::Letter::v, "tr", units.velocity),
+             named(Symbol::Letter::a, "tr", units.acceleration), named(Symbol::Letter::a, "cor", units.acceleration)}};
+        const auto length_or_dash = [&](Kind kind, const Recorded<Vector>& found, const Unit& unit) {
+            return found ? length_of(kind, *found, unit) : "–";
+        };
         for (const RelativeMotion& each : solution_.relative_motion) {
-            const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
-            const std::string observer =
-                each.query.translating_with != none
-                    ? word(lang::sheet::seen_from_axes_translating_with, language_) + " " +
-                          point(each.query.translating_with)
-                    : word(lang::sheet::seen_from_body, language_) + " " + body(each.query.observer);
-            rows.push_back(
-                {point(each.query.point) + " " + observer,
-                 each.relative_velocity ? length_of(Kind::velocity, *each.relative_velocity, units.velocity) : "–",
-                 each.relative_acceleration
-                     ? length_of(Kind::acceleration, *each.relative_acceleration, units.acceleration)
-                     : "–"});
+            rows.push_back({observed(each), length_or_dash(Kind::velocity, each.relative_velocity, units.velocity),
+                            length_or_dash(Kind::acceleration, each.relative_acceleration, units.acceleration),
+                            length_or_dash(Kind::velocity, each.transport_velocity, units.velocity),
+                            length_or_dash(Kind::acceleration, each.transport_acceleration, units.acceleration),
+                            length_or_dash(Kind::acceleration, each.coriolis, units.acceleration)});
         }
         return table(word(lang::sheet::relative_motion, language_), rows);
+    }
+    /// "|v^tr| [m/s]"
+    std::string named(Symbol::Letter letter, const std::string& term, const Unit& unit) const {
+        return "|" + plain(typeset(Symbol{letter, "", term}, language_)) + "| [" + unit.symbol + "]";
+    }
+    std::string observed(const RelativeMotion& each) const {
+        const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
+        const std::string observer =
+            each.query.translating_with != none
+                ? word(lang::sheet::seen_from_axes_translating_with, language_) + " " +
+                      point(each.query.translating_with)
+                : word(lang::sheet::seen_from_body, language_) + " " + body(each.query.observer);
+        return point(each.query.point) + " " + observer;
+    }
+    /// The transport terms, split at the origin of the moving axes.
+    std::string apart() const {
+        const Units& units = solution_.mechanism.units;
+        const std::string speed = " [" + units.velocity.symbol + "]", rate = " [" + units.acceleration.symbol + "]";
+        const std::string alpha = plain(typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
+        std::vector<Cells> rows{{word(lang::sheet::point, language_), "O′", "|v O′|" + speed, "|ω ∧ O′P|" + speed,
+                                 "|a O′|" + rate, "|" + alpha + " ∧ O′P|" + rate, "|ω² O′P|" + rate}};
+        for (const RelativeMotion& each : solution_.relative_motion) {
+            if (!each.apart) continue;
+            const RelativeMotion::Apart& parts = *each.apart;
+            rows.push_back({observed(each), solution_.mechanism.point(parts.origin).name,
+                            length_of(Kind::velocity, *parts.origin_velocity, units.velocity),
+                            length_of(Kind::velocity, *parts.turning_velocity, units.velocity),
+                            length_of(Kind::acceleration, *parts.origin_acceleration, units.acceleration),
+                            length_of(Kind::acceleration, *parts.tangential, units.acceleration),
+                            length_of(Kind::acceleration, *parts.normal, units.acceleration)});
+        }
+        return table(word(lang::sheet::transport_motion, language_), rows);
+    }
+
+    std::string transmission_angles() const {
+        const Unit& unit = solution_.mechanism.units.angle;
+        std::vector<Cells> rows{
+            {word(lang::common::joint, language_), "γ [" + (unit.symbol == "deg" ? "°" : unit.symbol) + "]"}};
+        for (const auto& [column, coupler] : transmission_columns(solution_.mechanism, 0))
+            rows.push_back({solution_.mechanism.joint(coupler.pin).name + colon() + body(coupler.body) + " " +
+                                word(lang::sheet::on, language_) + " " + body(coupler.follower),
+                            value(transmission_angle(coupler, solution_.pose) / unit.si.to_double())});
+        return table(word(lang::sheet::transmission_angles, language_), rows);
     }
 
     /// "750 ∥ (0, 1)".
@@ -230,6 +274,63 @@ private:
             rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
         }
         return table(word(lang::sheet::efforts, language_), rows);
+    }
+
+    /// W; positive where it drives.
+    std::string powers() const {
+        std::vector<Cells> rows{{"", word(lang::sheet::power, language_) + " [W]"}};
+        for_each_power(solution_, [&](const Quantity& quantity, const Recorded<Exact>& found) {
+            rows.push_back({subject_of_power(quantity), value(found->to_double())});
+        });
+        return table(word(lang::sheet::powers, language_), rows);
+    }
+    std::string subject_of_power(const Quantity& power) const {
+        const std::string subject = subject_on_request(power, solution_.mechanism);
+        switch (power.kind) {
+            case Kind::power_of_weight: return Words(lang::sheet::weight_of_body, subject).in(language_);
+            case Kind::power_of_inertia: return Words(lang::sheet::inertia_force_of_body, subject).in(language_);
+            default: return subject;
+        }
+    }
+
+    std::string bars() const {
+        if (!solution_.truss) return {};
+        const Truss& truss = *solution_.truss;
+        const Unit& unit = solution_.mechanism.units.force;
+        std::vector<Cells> rows{{word(lang::sheet::bar, language_), "N [" + unit.symbol + "]", ""}};
+        for (std::size_t i = 0; i < truss.bars.size(); ++i) {
+            if (!truss.bars[i].force) continue;
+            const double force = truss.bars[i].force->is_zero() ? 0 : truss.tension(i, solution_.pose.points);
+            const Key sense = force > 0   ? lang::sheet::tension
+                              : force < 0 ? lang::sheet::compression
+                                          : lang::sheet::idle;
+            rows.push_back({truss.structure.bars[i].name, value(force / unit.si.to_double()), word(sense, language_)});
+        }
+        return table(word(lang::sheet::bars, language_), rows);
+    }
+    /// The equations of the cuts: about the meet of two bars, or across bars that are parallel.
+    std::string cuts(bool by_moments) const {
+        if (!solution_.truss) return {};
+        const Truss& truss = *solution_.truss;
+        const Units& units = solution_.mechanism.units;
+        const std::string &cut = word(lang::sheet::cut, language_), &bar = word(lang::sheet::bar, language_);
+        std::vector<Cells> rows{by_moments ? Cells{cut, bar, word(lang::sheet::about, language_),
+                                                   "M [" + units.moment.symbol + "]",
+                                                   word(lang::sheet::arm, language_) + " [" + units.length.symbol + "]"}
+                                           : Cells{cut, bar, "F ⟂ [" + units.force.symbol + "]", "sin φ"}};
+        for (const Truss::Cut& each : truss.cuts) {
+            if (each.pivot.has_value() != by_moments) continue;
+            std::string names;
+            for (const int b : each.bars) names += (names.empty() ? "" : ", ") + truss.structure.bars[at_index(b)].name;
+            const Truss::CutNumbers numbers = truss.numbers_of(each, solution_.pose.points);
+            const std::string& found = truss.structure.bars[at_index(each.found)].name;
+            rows.push_back(
+                by_moments
+                    ? Cells{names, found, each.pivot_name, value(numbers.known / units.moment.si.to_double()),
+                            value(numbers.arm / units.length.si.to_double())}
+                    : Cells{names, found, value(numbers.known / units.force.si.to_double()), value(numbers.arm)});
+        }
+        return table(word(by_moments ? lang::sheet::cuts_by_moments : lang::sheet::cuts_across, language_), rows);
     }
 
     std::string resultants() const {
