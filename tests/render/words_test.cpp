@@ -19,6 +19,7 @@
 #include "lang/keys/phrases.hpp"
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
+#include "lang/pattern.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/pages.hpp"
 
@@ -333,6 +334,36 @@ TEST(Numbers, NeverSayMinusZero) {
     EXPECT_EQ(fixed(-0.001, 2, Language::en), "0.00");
     EXPECT_EQ(fixed(-0.006, 2, Language::en), "−0.01");
     EXPECT_EQ(fixed(3.14159, 2, Language::it), "3,14");
+}
+
+TEST(Words, PartsOfARelativeMotionHaveTheLettersOfTheLanguage) {
+    const auto set = [](const char* term, Language language) {
+        return plain(typeset(Symbol{Symbol::Letter::v, "B", term}, language));
+    };
+    EXPECT_EQ(set("tr", Language::en), "v_B^tr");
+    EXPECT_EQ(set("tr", Language::fr), "v_B^e");
+    EXPECT_EQ(set("rel,2", Language::fr), "v_B^r,2");
+    EXPECT_EQ(set("tr", Language::de), "v_B^F");
+    EXPECT_EQ(set("cor", Language::de), "v_B^C");
+    EXPECT_EQ(set("tr", Language::es), "v_B^arr");
+    EXPECT_EQ(set("n", Language::fr), "v_B^n");
+    EXPECT_EQ(name_of(Symbol{Symbol::Letter::v, "B", "tr"}), "v_B_tr") << "names in files have no language";
+}
+
+TEST(Patterns, HavePlacesForArgumentsAlone) {
+    const auto place = lang::place_at("a {3 of} b", 2);
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->argument, 3U);
+    EXPECT_EQ(place->grammatical_case, "of");
+    EXPECT_EQ(place->end, 8U);
+    const auto choice = lang::place_at("{1|is|are}", 0);
+    ASSERT_TRUE(choice);
+    EXPECT_TRUE(choice->chooses);
+    EXPECT_EQ(choice->one, "is");
+    EXPECT_EQ(choice->several, "are");
+    for (const char* const text : {"{E_1}", "{0", "{0x}", "{", "0}", "{}"})
+        EXPECT_FALSE(lang::place_at(text, 0)) << text;
+    EXPECT_EQ(formula_words("{ω_{0}} = {1}{2}", {std::string("3"), std::string("5")}).in(Language::en), "{ω_3} = 5{2}");
 }
 
 TEST(Words, AreSaidInARowAndWithinEachOther) {
