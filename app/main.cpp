@@ -6,6 +6,7 @@
 #include <kinegraph/version.hpp>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <csignal>
@@ -13,6 +14,7 @@
 #include <exception>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -20,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/command_table.hpp"
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "lang/keys/command_line.hpp"
@@ -85,13 +88,27 @@ std::string resolution_fits(const std::string& text) {
     return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
 }
 
+/// The words that options take, for completion and manual.
+std::map<const CLI::Option*, std::vector<std::string>>& words_of_options() {
+    static std::map<const CLI::Option*, std::vector<std::string>> words;
+    return words;
+}
+/// Restricts an option to several words.
+template <class... Filters>
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words, Filters... filters) {
+    words_of_options()[option] = words;
+    return option->check(CLI::IsMember(words, filters...));
+}
+/// The same, in lower or upper case.
+CLI::Option* one_of_any_case(CLI::Option* option, const std::vector<std::string>& words) {
+    words_of_options()[option] = words;
+    return option->transform(CLI::IsMember(words, CLI::ignore_case));
+}
+
 /// An option that takes one of several words, in lower or upper case.
 void add_choice(CLI::App& command, const char* name, std::string& chosen, const char* help,
-                std::vector<std::string> words, const char* type) {
-    command.add_option(name, chosen, help)
-        ->transform(CLI::IsMember(std::move(words), CLI::ignore_case))
-        ->type_name(type)
-        ->capture_default_str();
+                const std::vector<std::string>& words, const char* type) {
+    one_of_any_case(command.add_option(name, chosen, help), words)->type_name(type)->capture_default_str();
 }
 
 /// The requested language, even if the rest of the command line is wrong.
@@ -103,6 +120,11 @@ Language language_asked_for(int count, char** arguments) {
         if (argument == "--lang" && i + 1 < count) word = arguments[i + 1];
     }
     return language_named(word);
+}
+
+void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
+    const char* const help = "What to write where the name of the output does not say it";
+    one_of(command.add_option("--format", format, help), formats, CLI::ignore_case)->type_name("FORMAT");
 }
 
 void add_language(CLI::App& command, std::string& chosen, const std::string& help) {
@@ -167,9 +189,7 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
                     "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    command.add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"svg", "png", "pdf", "tex", "json", "html"}, CLI::ignore_case))
-        ->type_name("FORMAT");
+    add_format(command, request.format, {"svg", "png", "pdf", "tex", "json", "html"});
 }
 
 void add_paper(CLI::App& command, SolveWords& words) {
@@ -225,12 +245,12 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
 }
 
 void add_text(CLI::App& command, Lettering& lettering) {
-    command
-        .add_option_function<std::string>(
+    one_of_any_case(
+        command.add_option_function<std::string>(
             "--text",
             [&lettering](const std::string& how) { lettering = how == "live" ? Lettering::live : Lettering::outlines; },
-            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)")
-        ->transform(CLI::IsMember({"outlines", "live"}, CLI::ignore_case))
+            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)"),
+        {"outlines", "live"})
         ->type_name("HOW")
         ->default_str("outlines");
 }
@@ -239,16 +259,13 @@ void add_text(CLI::App& command, Lettering& lettering) {
 void add_look(CLI::App& command, SolveRequest& request) {
     add_print(command, request.drawing.date, request.drawing.author, request.theme, request.dpi);
     add_text(command, request.lettering);
-    command
-        .add_option(
-            "--with", request.with,
-            "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-            "moments about the pole of the velocities; equations: the closure equations with their Jacobian; virtual "
-            "work: virtual displacements and "
-            "what they say of the efforts")
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember({"joukowsky", "equations", "virtual work"}))
-        ->type_name("FIGURE");
+    CLI::Option* with = command.add_option(
+        "--with", request.with,
+        "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
+        "moments about the pole of the velocities; equations: the closure equations with their Jacobian; virtual "
+        "work: virtual displacements and "
+        "what they say of the efforts");
+    one_of(with, {"joukowsky", "equations", "virtual work"})->allow_extra_args(false)->type_name("FIGURE");
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }
 
@@ -409,9 +426,7 @@ void add_sweep(CLI::App& program, Action& action) {
                      "goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    command->add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
-        ->type_name("FORMAT");
+    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex"});
     add_settings(*command, request.set);
     command
         ->add_option("--over", request.options.over,
@@ -451,15 +466,12 @@ void add_variants(CLI::App& program, Action& action) {
                       "For a class: all copies have the same scales, and each sheet an even number of pages");
     add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"},
                "FORMAT");
-    command
-        ->add_option("--for", request.platforms,
-                     "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given "
-                     "again, or parted "
-                     "by commas")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(CLI::IsMember({"moodle", "qti", "csv"}))
-        ->type_name("PLATFORM");
+    CLI::Option* platforms = command->add_option(
+        "--for", request.platforms,
+        "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given "
+        "again, or parted "
+        "by commas");
+    one_of(platforms, {"moodle", "qti", "csv"})->delimiter(',')->allow_extra_args(false)->type_name("PLATFORM");
     command->add_flag("--resume", request.resume,
                       "What an earlier run of the same request has written whole is not done again");
     add_settings(*command, request.set);
@@ -491,9 +503,7 @@ void add_cam(CLI::App& program, Action& action) {
                      "again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    command->add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
-        ->type_name("FORMAT");
+    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex"});
     command
         ->add_option("--at", request.options.at,
                      "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where "
@@ -579,8 +589,8 @@ void add_pairs(CLI::App& program, Action& action) {
                      "are OUT-2.svg, OUT-3.svg")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    command->add_option("--format", request.format, "text, markdown or json; of what is drawn svg, png or pdf")
-        ->check(CLI::IsMember({"text", "markdown", "json", "svg", "png", "pdf"}))
+    one_of(command->add_option("--format", request.format, "text, markdown or json; of what is drawn svg, png or pdf"),
+           {"text", "markdown", "json", "svg", "png", "pdf"})
         ->type_name("FORMAT")
         ->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
@@ -639,6 +649,68 @@ void add_watch(CLI::App& program, Action& action) {
     });
 }
 
+OptionForm form_of(const CLI::Option& option) {
+    OptionForm form;
+    form.is_argument = option.get_positional();
+    if (form.is_argument) form.names.push_back(option.get_name());
+    for (const std::string& letter : option.get_snames()) form.names.push_back("-" + letter);
+    for (const std::string& word : option.get_lnames()) form.names.push_back("--" + word);
+    const bool has_value = option.get_items_expected_max() > 0;
+    // The parser's name of a type lists the words, too.
+    if (has_value) form.type = option.get_type_name().substr(0, option.get_type_name().find(':'));
+    form.help = option.get_description();
+    form.fallback = option.get_default_str();
+    const auto words = words_of_options().find(&option);
+    if (words != words_of_options().end()) form.words = words->second;
+    constexpr std::array paths{"OUT", "OUT/", "CSV", "DIFF.png", "THEME"};
+    form.is_path =
+        form.words.empty() && (form.is_argument || std::find(paths.begin(), paths.end(), form.type) != paths.end());
+    form.is_required = option.get_required();
+    return form;
+}
+
+/// The command line as data.
+CommandTable table_of(const CLI::App& program) {
+    CommandTable table{program.get_description(), program_version(), statuses, {}};
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        CommandForm form{command->get_name(), command->get_description(), {}};
+        for (const bool arguments : {true, false})
+            for (const CLI::Option* option : command->get_options())
+                if (option->get_positional() == arguments) form.options.push_back(form_of(*option));
+        table.commands.push_back(std::move(form));
+    }
+    return table;
+}
+
+/// Both commands print what is made of the table of all commands, themselves included.
+void add_completion(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "completion", "Print the script by which a shell completes this command line");
+    auto shell = std::make_shared<std::string>();
+    one_of(command->add_option("SHELL", *shell, "bash, zsh or fish"), {"bash", "zsh", "fish"})->required();
+    command->callback([&program, &action, shell] {
+        action = [&program, shell] { return print(completion_script(table_of(program), *shell), Language::en); };
+    });
+}
+void add_manual(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "manual", "Print a manual page, for man -l, or write all of them");
+    auto about = std::make_shared<std::string>();
+    auto folder = std::make_shared<std::string>();
+    std::vector<std::string> names;
+    for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(each->get_name());
+    one_of(command->add_option("COMMAND", *about, "The command that is described; without it the program"), names);
+    command->add_option("-o,--output", *folder, "The folder into which all pages go: kinegraph.1, kinegraph-solve.1 …")
+        ->type_name("OUT/");
+    command->callback([&program, &action, about, folder] {
+        action = [&program, about, folder] {
+            const CommandTable table = table_of(program);
+            if (folder->empty()) return print(manual_page(table, *about), Language::en);
+            return write_manual(table, *folder);
+        };
+    });
+}
+
 Status run(int count, char** arguments, Language language) {
     CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
     program.set_help_flag("-h,--help", "Print this help; after a command, its own");
@@ -657,6 +729,8 @@ Status run(int count, char** arguments, Language language) {
     add_schema(program, action);
     add_batch(program, action);
     add_watch(program, action);
+    add_completion(program, action);
+    add_manual(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

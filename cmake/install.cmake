@@ -1,11 +1,26 @@
-# cmake --install: program and modules, library with headers and find_package(kinegraph), schema, man page.
+# cmake --install: program and modules with manual, completion and what a desktop shows, schema; library with headers
+# and find_package(kinegraph). The package for Python is a component of its own (python/CMakeLists.txt).
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/kinegraph)
 if(TARGET kinegraph_app)
     install(TARGETS kinegraph_app)
     install(TARGETS ${modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinegraph)
-    install(FILES ${PROJECT_BINARY_DIR}/generated/mechanism.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
+    set(printed ${PROJECT_BINARY_DIR}/generated)
+    install(FILES ${printed}/mechanism.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
+    install(DIRECTORY ${printed}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${printed}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+            RENAME kinegraph)
+    install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _kinegraph)
+    install(FILES ${printed}/completion.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+            RENAME kinegraph.fish)
+    set(desktop ${PROJECT_SOURCE_DIR}/packaging/desktop)
+    install(FILES ${desktop}/kinegraph.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+    install(FILES ${desktop}/kinegraph.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+    install(FILES ${desktop}/org.kinegraph.Kinegraph.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+    set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
+    install(FILES ${desktop}/kinegraph.svg DESTINATION ${icons}/apps)
+    install(FILES ${desktop}/kinegraph.svg DESTINATION ${icons}/mimetypes RENAME application-vnd.kinegraph+json.svg)
 endif()
 if(BUILD_SHARED_LIBS)
     install(TARGETS kinegraph_shared EXPORT kinegraph)
@@ -25,4 +40,3 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
 
 configure_file(cmake/kinegraph.pc.in ${PROJECT_BINARY_DIR}/generated/kinegraph.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraph.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-install(FILES docs/kinegraph.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

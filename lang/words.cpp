@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
+#include "lang/keys/units.hpp"
 #include "lang/pattern.hpp"
 
 namespace kinegraph {
@@ -133,6 +135,62 @@ std::string Words::in(Language language) const {
     std::string text = text_;
     for (const Words& part : parts_) text += part.in(language);
     return text;
+}
+
+namespace {
+
+/// Whether a text only proposes another spelling.
+bool is_proposal(const Key& key) { return key == lang::common::did_you_mean || key == lang::units::did_you_mean; }
+
+/// Without blanks, no-break spaces and the brackets of a proposal at its ends.
+std::string bare_half(std::string_view text) {
+    constexpr std::string_view no_break = "\u00A0";
+    while (text.ends_with(no_break) || text.ends_with(' '))
+        text.remove_suffix(text.ends_with(' ') ? 1 : no_break.size());
+    while (text.starts_with(no_break) || text.starts_with(' '))
+        text.remove_prefix(text.starts_with(' ') ? 1 : no_break.size());
+    if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+    return std::string(text);
+}
+
+}  // namespace
+
+Words::InTwo Words::pattern_in_two(std::string_view pattern, Language language) const {
+    if (const std::size_t semicolon = pattern.find(';'); semicolon != std::string_view::npos)
+        return {bare_half(filled(pattern.substr(0, semicolon), parts_, language)),
+                bare_half(filled(pattern.substr(semicolon + 1), parts_, language))};
+    // A text at the end may have the remedy: {"no point is named {0}{1}", " (did you mean {0}?)"}.
+    constexpr std::size_t place = 3;
+    const std::size_t last = pattern.size() < place ? 0 : pattern.size() - place;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (pattern.substr(last) != "{" + std::to_string(i) + "}") continue;
+        InTwo two = parts_[i].in_two(language);
+        two.fault = bare_half(filled(pattern.substr(0, last), parts_, language) + two.fault);
+        return two;
+    }
+    return {filled(pattern, parts_, language), {}};
+}
+
+Words::InTwo Words::in_two(Language language) const {
+    switch (form_) {
+        case Form::text_of_key:
+            if (is_proposal(key_)) return {{}, bare_half(in(language))};
+            return pattern_in_two(key_.in(language), language);
+        case Form::by_language: return parts_.at(static_cast<std::size_t>(language)).in_two(language);
+        case Form::pattern: return pattern_in_two(text_, language);
+        case Form::in_a_row: break;
+    }
+    InTwo two{text_, {}};
+    for (const Words& part : parts_) {
+        if (!two.remedy.empty()) {
+            two.remedy += part.in(language);
+            continue;
+        }
+        const InTwo more = part.in_two(language);
+        two.fault += more.fault;
+        two.remedy = more.remedy;
+    }
+    return two;
 }
 
 Words::operator Text() const {

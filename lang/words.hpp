@@ -77,6 +77,11 @@ public:
 
     bool empty() const;
     std::string in(Language language) const;
+    /// A message of a fault, whose remedy stands behind the semicolon of its text, or of a text at its end.
+    struct InTwo {
+        std::string fault, remedy;
+    };
+    InTwo in_two(Language language) const;
     /// In every language.
     operator Text() const;  // NOLINT(google-explicit-constructor)
     Words& operator+=(const Words& more);
@@ -86,6 +91,7 @@ public:
 
 private:
     friend Words formula_words(std::string pattern, std::vector<Words> arguments);
+    InTwo pattern_in_two(std::string_view pattern, Language language) const;
 
     enum class Form {
         in_a_row,     ///< text_, then the parts

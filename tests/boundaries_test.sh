@@ -1,5 +1,5 @@
 #!/bin/sh
-# Checks the dependencies of the folders: app → problems → render → engine, problems → constructions → engine, all → lang.
+# Checks the dependencies of the folders: app → problems → render → engine, problems → constructions → engine, all → lang; python → include.
 # Within each of them every folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
 # numeric check only, cairo in its back end only; only the table of pairs and the check may name kinds of joints.
 #   boundaries_test.sh ROOT         prints every violation in the tree, one on each line; status 1 if there is one
@@ -38,7 +38,7 @@ unordered() {
 
 check() {
     cd "$1" || return 2
-    folders="lang engine constructions render problems app include tests bench"
+    folders="lang engine constructions render problems app include python tests bench"
     floors=
     # shellcheck disable=SC2086 # lists of words
     all=$(find $folders -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
@@ -99,7 +99,13 @@ check() {
             grep -E '^app/(main\.cpp|(commands|files|server)/[^:]*):' |
             breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
-        includes '"' $folders | grep -vE 'include[[:space:]]*"(lang|engine|constructions|render|problems|app|kinegraph|tests|bench)/[a-z]' |
+        includes '["<](lang|engine|constructions|render|problems|app|tests|bench)/' python |
+            breach "the module for Python uses the public face and nothing below it"
+        includes '["<]python/' lang engine constructions render problems app include tests bench |
+            breach "python/module is the module's own"
+        includes '[<"](pybind11/|Python\.h)' $folders | grep -v '^python/module/' |
+            breach "pybind11 is python/module's"
+        includes '"' $folders | grep -vE 'include[[:space:]]*"(lang|engine|constructions|render|problems|app|kinegraph|python|tests|bench)/[a-z]' |
             breach "own headers are written from the root"
         includes '["<]kinegraph/' engine constructions render problems |
             breach "the public face stands above engine, constructions, render and problems"
@@ -181,6 +187,9 @@ seen "figures knows" render/figures/a.cpp '"render/sheet/b.hpp"'
 seen "content knows" render/content/a.cpp '"render/layout/b.hpp"'
 seen "nothing below it" app/main.cpp '"render/page/page.hpp"'
 seen "nothing below it" app/commands/a.cpp '"engine/board/b.hpp"'
+seen "for Python uses the public face" python/module/a.cpp '"engine/board/b.hpp"'
+seen "module's own" app/main.cpp '"python/module/bindings.hpp"'
+seen "pybind11 is" app/library/a.cpp '<pybind11/pybind11.h>'
 seen "files knows" app/files/a.cpp '"app/commands/b.hpp"'
 seen "no place in the order" engine/elsewhere/a.cpp '<vector>'
 seen "folder of their subject" engine/a.cpp '<vector>'

@@ -9,7 +9,11 @@ work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
 cmake --install "$build" --prefix "$work/prefix" >"$work/log"
-for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/kinegraph.1; do
+for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/kinegraph.1 \
+    share/man/man1/kinegraph-solve.1 share/bash-completion/completions/kinegraph \
+    share/zsh/vendor-completions/_kinegraph share/fish/vendor_completions.d/kinegraph.fish \
+    share/applications/kinegraph.desktop share/mime/packages/kinegraph.xml \
+    share/icons/hicolor/scalable/apps/kinegraph.svg share/metainfo/org.kinegraph.Kinegraph.metainfo.xml; do
     test -s "$work/prefix/$file" || { echo "not installed: $file"; exit 1; }
 done
 "$work/prefix/bin/kinegraph" --version

@@ -32,12 +32,14 @@ render::TextForm form_of(TextForm form) {
         case TextForm::markdown: return render::TextForm::markdown;
         case TextForm::json: return render::TextForm::json;
         case TextForm::plain:
-        case TextForm::latex: break;
+        case TextForm::latex:
+        case TextForm::formulas: break;
     }
     return render::TextForm::plain;
 }
 
 std::string printed(const std::vector<render::EquationItem>& items, TextForm form) {
+    if (form == TextForm::formulas) return render::as_formulas(items);
     return form == TextForm::latex ? render::as_latex(items) : render::as_text(items);
 }
 

@@ -86,7 +86,7 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
                                              const render::SheetOptions& options, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
     if (const auto beyond = render::beyond_sheet(solution))
-        return tl::unexpected(Diagnostics{{Diagnostic::Kind::bad_input, "/find", text_of(*beyond)}});
+        return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
         render::LaidOutKey key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);

@@ -5,6 +5,7 @@
 #include "app/library/state.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "engine/results/result_expression.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
@@ -72,6 +73,18 @@ std::optional<ResultValue> Solved::value(std::string_view name) const {
         std::find_if(all.begin(), all.end(), [&](const NamedResult& each) { return each.column.name == name; });
     if (found == all.end()) return std::nullopt;
     return value_of(*found, state().solution);
+}
+
+Expected<ResultValue> Solved::evaluate(std::string_view expression) const {
+    const Solution& solution = state().solution;
+    const std::string text(expression);
+    const auto& exercise = solution.mechanism.exercise;
+    const std::vector<NamedResult> all = exercise ? results_for(*exercise, solution) : named_results(solution);
+    if (const NamedResult* const found = result_named(all, text)) return value_of(*found, solution);
+    if (!is_expression(text)) return tl::unexpected(diagnostics_of({missing_result(solution, all, text, "")}));
+    const auto found = result_of_expression(text, all);
+    if (!found) return tl::unexpected(diagnostics_of({found.error()}));
+    return value_of(*found, solution);
 }
 
 std::optional<std::array<double, 2>> Solved::vector(std::string_view name) const {

@@ -70,6 +70,8 @@ Text text_of(const Message& message);
 std::vector<Text> texts_of(const std::vector<Words>& all);
 std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved);
 Diagnostics diagnostics_of(const Errors& errors);
+/// With the message whole and in its two parts.
+Diagnostic diagnostic_of(Diagnostic::Kind kind, std::string place, const Words& message);
 tl::unexpected<Diagnostics> refused(Diagnostic::Kind kind, const Words& words);
 
 std::vector<Setting> settings_of(const std::vector<ParameterValue>& values);

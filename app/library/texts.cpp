@@ -51,12 +51,21 @@ Diagnostics diagnostics_of(const Errors& errors) {
                                       : error.code == ErrorCode::no_unique_answer ? Diagnostic::Kind::no_unique_answer
                                       : error.code == ErrorCode::output           ? Diagnostic::Kind::output
                                                                                   : Diagnostic::Kind::bad_input;
-        all.push_back({kind, error.where, text_of(error.message)});
+        all.push_back(diagnostic_of(kind, error.where, error.message));
     }
     return all;
 }
+Diagnostic diagnostic_of(Diagnostic::Kind kind, std::string place, const Words& message) {
+    Diagnostic made{kind, std::move(place), text_of(message)};
+    for (const Language language : languages) {
+        Words::InTwo two = message.in_two(language);
+        made.fault.by_language.at(static_cast<std::size_t>(language)) = std::move(two.fault);
+        made.remedy.by_language.at(static_cast<std::size_t>(language)) = std::move(two.remedy);
+    }
+    return made;
+}
 tl::unexpected<Diagnostics> refused(Diagnostic::Kind kind, const Words& words) {
-    return tl::unexpected(Diagnostics{{kind, "", text_of(words)}});
+    return tl::unexpected(Diagnostics{diagnostic_of(kind, "", words)});
 }
 
 std::vector<Setting> settings_of(const std::vector<ParameterValue>& values) {

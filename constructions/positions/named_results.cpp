@@ -253,7 +253,7 @@ Error missing_result(const Solution& solution, const std::vector<NamedResult>& r
          solution.mechanism.exercise ? solution.mechanism.exercise->expressions : std::vector<std::string>())
         if (named_expression(text).name == name && solution.unsolved.empty())
             if (auto found = result_of_expression(text, results); !found)
-                return {ErrorCode::no_unique_answer, where, std::move(found.error())};
+                return {ErrorCode::no_unique_answer, where, std::move(found.error().message)};
     if (auto why = why_infinite(solution, results, name)) return {ErrorCode::no_unique_answer, where, *std::move(why)};
     if (!solution.unsolved.empty())
         return {ErrorCode::no_unique_answer, where, {lang::positions::is_not_found_in_this_position, quoted(name)}};
@@ -278,11 +278,13 @@ std::vector<Column> columns_of(const std::vector<NamedResult>& results) {
 
 }  // namespace
 
-tl::expected<NamedResult, Words> result_of_expression(std::string_view text, const std::vector<NamedResult>& results) {
+tl::expected<NamedResult, Error> result_of_expression(std::string_view text, const std::vector<NamedResult>& results) {
     const auto read = ResultExpression::read(text, columns_of(results));
-    if (!read) return tl::unexpected(read.error());
+    if (!read) return tl::unexpected(Error{ErrorCode::bad_input, "", read.error()});
     auto value = value_of(*read, results);
-    if (!value) return tl::unexpected(Words(lang::positions::is_not_determined, quoted(text)));
+    if (!value)
+        return tl::unexpected(
+            Error{ErrorCode::no_unique_answer, "", Words(lang::positions::is_not_determined, quoted(text))});
     return *std::move(value);
 }
 

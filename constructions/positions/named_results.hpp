@@ -43,9 +43,9 @@ std::optional<NamedResult> least_transmission_angle(const Solution& solution);
 /// The results for an exercise: all named ones, and the transmission angle if the exercise uses it (it needs a whole
 /// cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
-/// The value of an expression of these results (engine/results/result_expression.hpp). Errors: it cannot be read, or
-/// has no value here.
-tl::expected<NamedResult, Words> result_of_expression(std::string_view text, const std::vector<NamedResult>& results);
+/// The value of an expression of these results (engine/results/result_expression.hpp). Errors: it cannot be read (bad
+/// input), or has no value here (no unique answer).
+tl::expected<NamedResult, Error> result_of_expression(std::string_view text, const std::vector<NamedResult>& results);
 /// Null if there is none.
 const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name);
 /// The results in the file's "ask", in its order, from results_for; for a bar of a truss its force, tension positive.

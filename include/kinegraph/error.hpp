@@ -59,6 +59,8 @@ struct Diagnostic {
     Kind kind = Kind::bad_input;  ///< the kind of the fault
     std::string place;            ///< JSON pointer into the file ("/joints/2/bodies/1"); empty: the whole file
     Text text;                    ///< one line, without the file's name and without a full stop
+    Text fault = {};              ///< its first part: what is wrong
+    Text remedy = {};             ///< its second part: what to do, or what is wanted; empty if it has none
 };
 
 /// All faults of a file, in the file's order. Never empty in a failed Expected.

@@ -39,8 +39,9 @@ struct PositionsWanted {
 enum class TextForm {
     plain,     ///< for a terminal
     markdown,  ///< a table for a document; equations as in `plain`
-    latex,     ///< formulas for LaTeX; tables as in `plain`
-    json       ///< for programs
+    latex,     ///< equations as a LaTeX document; tables as in `plain`
+    json,      ///< for programs
+    formulas   ///< the text of that document alone, for MathJax and notebooks; tables as in `plain`
 };
 
 /// A mechanism file that was read and has no faults. It contains a mechanism, or a problem without joints (contact,

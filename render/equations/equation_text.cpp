@@ -1,6 +1,7 @@
 #include "render/equations/equation_text.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "lang/keys/equations.hpp"
 #include "render/equations/equation_chapters.hpp"
@@ -109,7 +110,10 @@ std::string as_text(std::span<const EquationItem> items) {
     return text;
 }
 
-std::string as_latex(std::span<const EquationItem> items) {
+namespace {
+
+/// `heading`: the LaTeX around the words of a heading.
+std::string latex_text(std::span<const EquationItem> items, const std::array<const char*, 2>& heading) {
     const auto safe = [](const std::string& words) {
         std::string text;
         for (const char c : words) {
@@ -118,9 +122,9 @@ std::string as_latex(std::span<const EquationItem> items) {
         }
         return text;
     };
-    std::string text = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
+    std::string text;
     for (const EquationItem& item : items) {
-        if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
+        if (item.kind == Kind::heading) text += heading[0] + safe(item.words) + heading[1];
         if (item.kind == Kind::words) {
             for (const Piece& piece : formula(item.words))
                 text += piece.face == Face::italic
@@ -136,7 +140,15 @@ std::string as_latex(std::span<const EquationItem> items) {
                 array += (c > 0 ? " & " : r > 0 ? " \\\\ " : "") + item.rows[r][c].latex();
         text += "\\[" + array + "\\end{array}\\]\n";
     }
-    return text + "\\end{document}\n";
+    return text;
 }
+
+}  // namespace
+
+std::string as_latex(std::span<const EquationItem> items) {
+    return "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n" +
+           latex_text(items, {"\\section*{", "}\n"}) + "\\end{document}\n";
+}
+std::string as_formulas(std::span<const EquationItem> items) { return latex_text(items, {"\\[\\textbf{", "}\\]\n"}); }
 
 }  // namespace kinegraph::render

@@ -32,5 +32,7 @@ std::vector<EquationItem> equation_answers(const Solution& solution, Language la
 std::string as_text(std::span<const EquationItem> items);
 /// A LaTeX document (amsmath), one display per formula.
 std::string as_latex(std::span<const EquationItem> items);
+/// Its text alone, with formulas for headings, as MathJax shows it.
+std::string as_formulas(std::span<const EquationItem> items);
 
 }  // namespace kinegraph::render
