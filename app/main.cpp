@@ -682,31 +682,37 @@ CommandTable table_of(const CLI::App& program) {
     return table;
 }
 
-/// Both commands print what is made of the table of all commands, themselves included.
+/// This command and the next print what is made of the table of all commands, themselves included.
 void add_completion(CLI::App& program, Action& action) {
     CLI::App* command =
         add_command(program, "completion", "Print the script by which a shell completes this command line");
     auto shell = std::make_shared<std::string>();
+    auto language = std::make_shared<std::string>("en");
     one_of(command->add_option("SHELL", *shell, "bash, zsh or fish"), {"bash", "zsh", "fish"})->required();
-    command->callback([&program, &action, shell] {
-        action = [&program, shell] { return print(completion_script(table_of(program), *shell), Language::en); };
+    add_language(*command, *language, "Language of messages");
+    command->callback([&program, &action, shell, language] {
+        action = [&program, shell, language] {
+            return print(completion_script(table_of(program), *shell), language_named(*language));
+        };
     });
 }
 void add_manual(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "manual", "Print a manual page, for man -l, or write all of them");
     auto about = std::make_shared<std::string>();
     auto folder = std::make_shared<std::string>();
+    auto language = std::make_shared<std::string>("en");
     std::vector<std::string> names;
     for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(each->get_name());
     one_of(command->add_option("COMMAND", *about, "The command that is described; without it the program"), names);
     command->add_option("-o,--output", *folder, "The folder into which all pages go: kinegraph.1, kinegraph-solve.1 …")
         ->type_name("OUT/");
-    command->callback([&program, &action, about, folder] {
-        action = [&program, about, folder] {
+    add_language(*command, *language, "Language of messages");
+    command->callback([&program, &action, about, folder, language] {
+        action = [&program, about, folder, language] {
             const CommandTable table = table_of(program);
-            if (folder->empty()) return print(manual_page(table, *about), Language::en);
-            return write_manual(table, *folder);
+            if (folder->empty()) return print(manual_page(table, *about), language_named(*language));
+            return write_manual(table, *folder, language_named(*language));
         };
     });
 }

@@ -40,6 +40,6 @@ std::string completion_script(const CommandTable& table, std::string_view shell)
 std::string manual_page(const CommandTable& table, std::string_view command);
 
 /// Writes all pages into a folder: kinegraph.1, kinegraph-solve.1 …
-Status write_manual(const CommandTable& table, const std::string& folder);
+Status write_manual(const CommandTable& table, const std::string& folder, Language language);
 
 }  // namespace kinegraph::app

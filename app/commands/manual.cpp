@@ -105,13 +105,13 @@ std::string manual_page(const CommandTable& table, std::string_view name) {
     return page + statuses(table) + ".SH SEE ALSO\n.BR kinegraph (1)\n";
 }
 
-Status write_manual(const CommandTable& table, const std::string& folder) {
+Status write_manual(const CommandTable& table, const std::string& folder, Language language) {
     const std::string within = folder + (folder.ends_with('/') ? "" : "/");
     std::vector<Output> pages{{within + "kinegraph.1", manual_page(table, "")}};
     for (const CommandForm& command : table.commands)
         pages.push_back({within + "kinegraph-" + command.name + ".1", manual_page(table, command.name)});
     const auto failure = write_all(pages);
-    return failure ? fail_to_write(*failure, Language::en) : Status::done;
+    return failure ? fail_to_write(*failure, language) : Status::done;
 }
 
 }  // namespace kinegraph::app

@@ -58,6 +58,22 @@ TEST(PublicFace, GivesResultsByNameExactlyAndAsDoubles) {
     EXPECT_FALSE(found.vector("omega 3"));
 }
 
+TEST(PublicFace, EvaluatesExpressions) {
+    const Solved found = solved(slider_crank);
+    const auto ratio = found.evaluate("omega 3 / omega 2");
+    ASSERT_TRUE(ratio);
+    EXPECT_EQ(ratio->value, -0.25);
+    EXPECT_FALSE(ratio->exact);
+    EXPECT_EQ(found.evaluate("omega 3")->exact->text(), "-5/2");
+    EXPECT_EQ(found.evaluate("|v A|")->value, 0.5);
+    const auto misspelt = found.evaluate("omga 3");
+    ASSERT_FALSE(misspelt);
+    EXPECT_EQ(misspelt.error().front().kind, Diagnostic::Kind::bad_input);
+    EXPECT_EQ(misspelt.error().front().remedy.in(Language::en).find("did you mean \"omega 3\""), 0U);
+    EXPECT_EQ(found.evaluate("1 / (omega 2 - omega 2)").error().front().kind, Diagnostic::Kind::no_unique_answer);
+    EXPECT_EQ(found.evaluate("omega 3 +").error().front().kind, Diagnostic::Kind::bad_input);
+}
+
 TEST(PublicFace, GivesEveryValueUnderItsName) {
     const Solved found = solved(slider_crank);
     const std::vector<ResultValue> all = found.values();

@@ -14,11 +14,26 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "lang/keys/cams.hpp"
 #include "lang/keys/cases.hpp"
+#include "lang/keys/common.hpp"
+#include "lang/keys/drivers.hpp"
+#include "lang/keys/exercises.hpp"
+#include "lang/keys/expressions.hpp"
+#include "lang/keys/files.hpp"
+#include "lang/keys/forms.hpp"
 #include "lang/keys/joints.hpp"
+#include "lang/keys/laws.hpp"
+#include "lang/keys/library.hpp"
+#include "lang/keys/loads.hpp"
+#include "lang/keys/materials.hpp"
 #include "lang/keys/phrases.hpp"
+#include "lang/keys/points.hpp"
+#include "lang/keys/positions.hpp"
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
+#include "lang/keys/units.hpp"
+#include "lang/keys/wishes.hpp"
 #include "lang/pattern.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/pages.hpp"
@@ -146,6 +161,39 @@ TEST(Words, HaveThePlacesOfEnglishInEveryLanguage) {
                 EXPECT_EQ(places_of(section->text(i, language)), places_of(section->text(i, Language::en)))
                     << section->name(i) << ": " << section->text(i, language);
             }
+}
+
+TEST(Words, OfAFaultHaveTheirRemedyInEveryLanguage) {
+    std::size_t remedies = 0;
+    for (const lang::Section* section :
+         {&lang::cams_section, &lang::drivers_section, &lang::exercises_section, &lang::expressions_section,
+          &lang::files_section, &lang::forms_section, &lang::joints_section, &lang::laws_section, &lang::loads_section,
+          &lang::materials_section, &lang::points_section, &lang::positions_section, &lang::units_section,
+          &lang::wishes_section, &lang::library_section})
+        for (std::size_t i = 0; i < section->size(); ++i) {
+            const Words message(Key{section, i});
+            const bool has_one = !message.in_two(Language::en).remedy.empty();
+            remedies += has_one ? 1 : 0;
+            for (const Language language : languages)
+                EXPECT_EQ(!message.in_two(language).remedy.empty(), has_one)
+                    << section->name(i) << ": " << message.in(language);
+        }
+    EXPECT_GT(remedies, 80U);
+}
+
+TEST(Words, OfAFaultAreInTwo) {
+    const Words proposal(lang::common::did_you_mean, std::string("\"omega\""));
+    const Words unknown(lang::forms::no_point_is_named, std::string("\"a;b\""), proposal);
+    EXPECT_EQ(unknown.in_two(Language::en).fault, "no point is named \"a;b\"");
+    EXPECT_EQ(unknown.in_two(Language::en).remedy, "did you mean \"omega\"?");
+    const Words semicolon(lang::drivers::the_frame_does_not_move_drive);
+    EXPECT_EQ(semicolon.in_two(Language::en).fault, "the frame does not move");
+    EXPECT_EQ(semicolon.in_two(Language::en).remedy, "drive another body");
+    EXPECT_EQ(semicolon.in_two(Language::fr).fault.find(';'), std::string::npos);
+    EXPECT_FALSE(semicolon.in_two(Language::fr).fault.ends_with("\u00A0"));
+    const Words one(std::string("a file's own text; with a semicolon"));
+    EXPECT_EQ(one.in_two(Language::en).fault, "a file's own text; with a semicolon");
+    EXPECT_TRUE(one.in_two(Language::en).remedy.empty());
 }
 
 class EverySentence : public testing::TestWithParam<Key> {};
