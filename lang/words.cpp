@@ -156,16 +156,20 @@ std::string bare_half(std::string_view text) {
 }  // namespace
 
 Words::InTwo Words::pattern_in_two(std::string_view pattern, Language language) const {
-    if (const std::size_t semicolon = pattern.find(';'); semicolon != std::string_view::npos)
-        return {bare_half(filled(pattern.substr(0, semicolon), parts_, language)),
-                bare_half(filled(pattern.substr(semicolon + 1), parts_, language))};
+    if (const std::size_t semicolon = pattern.find(';'); semicolon != std::string_view::npos) {
+        InTwo two = pattern_in_two(pattern.substr(0, semicolon), language);
+        two.fault = bare_half(two.fault);
+        if (!two.remedy.empty()) two.remedy += lang::notation::semicolon.in(language);
+        two.remedy += bare_half(filled(pattern.substr(semicolon + 1), parts_, language));
+        return two;
+    }
     // A text at the end may have the remedy: {"no point is named {0}{1}", " (did you mean {0}?)"}.
     constexpr std::size_t place = 3;
     const std::size_t last = pattern.size() < place ? 0 : pattern.size() - place;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (pattern.substr(last) != "{" + std::to_string(i) + "}") continue;
         InTwo two = parts_[i].in_two(language);
-        two.fault = bare_half(filled(pattern.substr(0, last), parts_, language) + two.fault);
+        two.fault = filled(pattern.substr(0, last), parts_, language) + two.fault;
         return two;
     }
     return {filled(pattern, parts_, language), {}};

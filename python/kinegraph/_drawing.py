@@ -60,6 +60,11 @@ def numbered(path: Path, page: int) -> Path:
     return path if page == 0 else path.with_name(f"{path.stem}-{page + 1}{path.suffix}")
 
 
+def embedded(svg: str) -> str:
+    """Without the declaration of XML, as an element of a page."""
+    return svg[svg.index("<svg"):]
+
+
 class Drawing:
     """Finished pages, to scale in millimetres. The same solution and options give the same bytes everywhere."""
 
@@ -111,7 +116,7 @@ class Drawing:
         return paths
 
     def _repr_svg_(self) -> str:
-        return self.svg()
+        return embedded(self.svg())
 
 
 class LivePage:

@@ -19,6 +19,12 @@ if TYPE_CHECKING:
     Array = numpy.typing.NDArray[numpy.float64]
 
 
+def _array(cells: bytes, columns: int) -> Array:
+    import numpy
+
+    return numpy.frombuffer(cells).reshape(-1, columns)
+
+
 class Pole(NamedTuple):
     """Where a column grows without limit."""
 
@@ -54,8 +60,7 @@ class Sweep:
     def _all_rows(self) -> Array:
         with self._lock:
             if self._rows is None:
-                self._rows = self._core.rows()
-                self._rows.flags.writeable = False
+                self._rows = _array(self._core.rows(), len(self._core.columns()))
             return self._rows
 
     @property
@@ -79,7 +84,11 @@ class Sweep:
         if name in names:
             return rows[:, names.index(name)]
         if name not in self._more:
-            self._more[name] = _core.Sweep.of(self._file, {**self._options, "columns": name}).rows()[:, 1]
+            one = _core.Sweep.of(self._file, {**self._options, "columns": name})
+            cells = one.rows()
+            if len(one.columns()) != 2:
+                raise ValueError(f"{name!r} is more than one column")
+            self._more[name] = _array(cells, 2)[:, 1]
         return self._more[name]
 
     def to_frame(self) -> pandas.DataFrame:
@@ -146,7 +155,7 @@ class Sweep:
         return self.draw(**options).save(path, dpi=dpi, text=text)
 
     def _repr_svg_(self) -> str:
-        return self.draw().svg()
+        return self.draw()._repr_svg_()
 
 
 class Cam:
@@ -161,7 +170,7 @@ class Cam:
 
     def profile(self, positions: int = 360) -> Array:
         """The closed profile in the cam's own frame: rows of x and y in m."""
-        return self._core.profile(positions)
+        return _array(self._core.profile(positions), 2)
 
     def mechanism_text(self, turn: float) -> str:
         """The mechanism file of the position at a turn (rad), with the circle of curvature for the profile."""
@@ -199,7 +208,7 @@ class CamCycle:
         return Drawing(self._core.draw(for_core(options)))
 
     def _repr_svg_(self) -> str:
-        return self.draw().svg()
+        return self.draw()._repr_svg_()
 
 
 def load_cam(source: PathLike | Mapping[str, Any]) -> Cam:

@@ -176,7 +176,7 @@ class Solution(Mapping[str, float]):
         return self.draw(**options).save(path, dpi=dpi, text=text)
 
     def _repr_svg_(self) -> str:
-        return self.svg()
+        return self.draw()._repr_svg_()
 
 
 def draw_all(solutions: Sequence[Solution], **options: Unpack[DrawingOptions]) -> Drawing:

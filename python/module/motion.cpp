@@ -1,8 +1,5 @@
 // Sweeps and cams.
-#include <pybind11/numpy.h>
-
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "python/module/bindings.hpp"
@@ -10,16 +7,25 @@
 namespace kinegraph::python {
 namespace {
 
-/// All rows as one array, NaN where a quantity grows without limit.
-py::array_t<double> rows_of(Sweep& sweep) {
-    const std::vector<SweepRow> rows = given(unlocked([&] { return sweep.rows(); }));
-    const std::size_t columns = sweep.columns().size();
-    py::array_t<double> all({rows.size(), columns});
-    double* place = all.mutable_data();
-    for (const SweepRow& row : rows)
-        for (const std::optional<double>& cell : row)
-            *place++ = cell.value_or(std::numeric_limits<double>::quiet_NaN());
-    return all;
+/// Doubles as bytes, of which NumPy makes an array. (pybind11's own arrays import NumPy within the initialization of a
+/// static variable: two threads that make their first array wait for each other.)
+py::bytes bytes_of(const std::vector<double>& values) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of doubles
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
+
+/// All rows, one after the other, NaN where a quantity grows without limit.
+py::bytes rows_of(Sweep& sweep) {
+    const std::vector<double> cells = unlocked([&] {
+        std::vector<double> all;
+        given(sweep.for_each_row([&](const SweepRow& row) {
+            for (const std::optional<double>& cell : row)
+                all.push_back(cell.value_or(std::numeric_limits<double>::quiet_NaN()));
+            return true;
+        }));
+        return all;
+    });
+    return bytes_of(cells);
 }
 
 /// The rows as the text of a file.
@@ -126,11 +132,9 @@ void define_cams(py::module_& module) {
         .def("at", &CamFile::at)
         .def("profile",
              [](const CamFile& cam, int positions) {
-                 const auto profile = unlocked([&] { return cam.profile(positions); });
-                 py::array_t<double> all({profile.size(), std::size_t{2}});
-                 double* place = all.mutable_data();
-                 for (const auto& [x, y] : profile) *place++ = x, *place++ = y;
-                 return all;
+                 std::vector<double> all;
+                 for (const auto& [x, y] : cam.profile(positions)) all.insert(all.end(), {x, y});
+                 return bytes_of(all);
              })
         .def("mechanism_at", &CamFile::mechanism_at);
     py::class_<CamCycle>(module, "CamCycle")

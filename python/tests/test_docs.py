@@ -46,7 +46,7 @@ def test_an_example_can_fail():
 
 
 def test_every_option_of_a_drawing_is_in_the_table():
-    described = re.findall(r"`(\w+)`", MANUAL[MANUAL.index("| option |"):MANUAL.index("The endings of `save`")])
+    described = re.findall(r"`(\w+)", MANUAL[MANUAL.index("| option |"):MANUAL.index("The endings of `save`")])
     assert set(kinegraph.DrawingOptions.__annotations__) <= set(described)
 
 

@@ -3,11 +3,14 @@
 import csv
 import io
 import math
+import subprocess
+import sys
 
 import numpy
 import pandas
 import pytest
 
+import conftest
 import kinegraph
 
 
@@ -46,6 +49,18 @@ def test_expressions_and_frames(examples):
         sweep["omega 4"][0] = 0
     with pytest.raises(kinegraph.Error):
         sweep["omega 99"]
+    with pytest.raises(ValueError, match="more than one"):
+        sweep["omega 3, omega 4"]
+
+
+def test_the_first_arrays_are_made_in_several_threads(root):
+    """Once they waited for each other, each importing NumPy."""
+    code = ("import kinegraph, concurrent.futures as f\n"
+            f"m = kinegraph.load({str(root / 'examples/four_bar.json')!r})\n"
+            "with f.ThreadPoolExecutor(4) as p: print(len(list(p.map(lambda n: m.sweep(steps=n)['turn'], [9] * 8))))")
+    said = subprocess.run([sys.executable, "-c", code], check=True, cwd=conftest.BUILD / "python", timeout=120,
+                          stdout=subprocess.PIPE)
+    assert said.stdout == b"8\n"
 
 
 def test_travel_and_parameters(examples):

@@ -62,7 +62,7 @@ def test_unknown_names_are_faults_with_the_nearest(solution):
             wrong()
     with pytest.raises(kinegraph.Error) as caught:
         solution["omga 3"]
-    assert caught.value.faults[0].remedy.startswith('did you mean "omega 3"')
+    assert caught.value.faults[0].remedy.startswith('did you mean "omega 3"?; what is found')
     with pytest.raises(kinegraph.Error) as caught:
         solution["omega 3 / (omega 2 - omega 2)"]
     assert caught.value.faults[0].kind == "no unique answer"
