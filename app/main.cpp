@@ -88,7 +88,7 @@ std::string resolution_fits(const std::string& text) {
     return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
 }
 
-/// The words that options take, for completion and manual.
+/// The words that options take, or propose, for completion and manual.
 std::map<const CLI::Option*, std::vector<std::string>>& words_of_options() {
     static std::map<const CLI::Option*, std::vector<std::string>> words;
     return words;
@@ -228,16 +228,19 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         ->excludes("--figure");
 }
 
+void add_theme(CLI::App& command, std::string& theme) {
+    CLI::Option* option = command.add_option(
+        "--theme", theme,
+        "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)");
+    words_of_options()[option] = theme_names();
+    option->type_name("THEME")->capture_default_str();
+}
+
 /// Options for the title block and the page.
 void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, double& dpi) {
     command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
-    command
-        .add_option(
-            "--theme", theme,
-            "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
-        ->type_name("THEME")
-        ->capture_default_str();
+    add_theme(command, theme);
     command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
@@ -637,12 +640,7 @@ void add_watch(CLI::App& program, Action& action) {
         ->check(whole_number(0, 65535))
         ->type_name("N");
     add_language(*command, *language, "The language that is shown first, and that of messages");
-    command
-        ->add_option(
-            "--theme", request->theme,
-            "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
-        ->type_name("THEME")
-        ->capture_default_str();
+    add_theme(*command, request->theme);
     command->callback([&action, request, language] {
         request->language = language_named(*language);
         action = [request] { return watch_command(*request); };

@@ -11,7 +11,8 @@ if(TARGET kinegraph_app)
     install(DIRECTORY ${printed}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
     install(FILES ${printed}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
             RENAME kinegraph)
-    install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _kinegraph)
+    install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+            RENAME _kinegraph)
     install(FILES ${printed}/completion.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
             RENAME kinegraph.fish)
     set(desktop ${PROJECT_SOURCE_DIR}/packaging/desktop)
@@ -38,5 +39,8 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
               ${PROJECT_SOURCE_DIR}/cmake/link_dependencies.cmake
         DESTINATION ${package_directory})
 
+# Relative to the file, so that `cmake --install --prefix` may choose another one.
+file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" to_prefix "${to_prefix}")
 configure_file(cmake/kinegraph.pc.in ${PROJECT_BINARY_DIR}/generated/kinegraph.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraph.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Checks the dependencies of the folders: app → problems → render → engine, problems → constructions → engine, all → lang; python → include.
+# Checks the dependencies of the folders: app → problems → render → engine, problems → constructions → engine,
+# all → lang; python → include.
 # Within each of them every folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
 # numeric check only, cairo in its back end only; only the table of pairs and the check may name kinds of joints.
 #   boundaries_test.sh ROOT         prints every violation in the tree, one on each line; status 1 if there is one

@@ -55,6 +55,8 @@ cmp "$work/shared.svg" "$work/a.svg"
 
 # pkg-config finds it too.
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name kinegraph.pc)") pkg-config --exists 'kinegraph >= 0.1'
+test "$(PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name kinegraph.pc)") pkg-config --variable=prefix kinegraph |
+    xargs realpath)" = "$(realpath "$work/prefix")"
 
 # What the face asks of a program that includes it all.
 lines=$(echo '#include <kinegraph/kinegraph.hpp>' | c++ -std=c++20 -I"$work/prefix/include" -E -x c++ - | wc -l)

@@ -15,7 +15,7 @@ struct OptionForm {
     std::string type;                ///< what its value is called: "OUT"; empty: a flag
     std::string help;
     std::string fallback;            ///< value without the option; empty: none
-    std::vector<std::string> words;  ///< the values it can have; empty: any
+    std::vector<std::string> words;  ///< the values it can have, besides paths; empty: any
     bool is_path = false;            ///< its value may be a file or a folder
     bool is_argument = false;
     bool is_required = false;

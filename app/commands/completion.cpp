@@ -87,18 +87,16 @@ std::string escaped_for_zsh(std::string_view text) {
 }
 
 std::string zsh_value(const OptionForm& option) {
-    std::string value = ":" + escaped_for_zsh(option.type) + ":";
-    if (!option.words.empty())
-        return value + "(" +
-               joined_words(option.words, " ",
-                            [](const std::string& word) {
-                                std::string escaped;
-                                for (const char letter : word)
-                                    escaped += (letter == ' ' ? "\\" : "") + std::string(1, letter);
-                                return escaped;
-                            }) +
-               ")";
-    return value + (option.is_path ? "_files" : " ");
+    const std::string words = joined_words(option.words, " ", [](const std::string& word) {
+        std::string escaped;
+        for (const char letter : word) escaped += (letter == ' ' ? "\\" : "") + std::string(1, letter);
+        return escaped;
+    });
+    const std::string files = option.is_path ? "_files" : " ";
+    return ":" + escaped_for_zsh(option.type) + ":" +
+           (words.empty()    ? files
+            : option.is_path ? "{compadd " + words + "; _files}"
+                             : "(" + words + ")");
 }
 
 std::string for_zsh(const CommandTable& table) {

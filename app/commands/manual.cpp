@@ -40,9 +40,12 @@ std::string italic(std::string_view text) { return "\\fI" + for_troff(text) + "\
 
 std::string synopsis(const CommandForm& command) {
     std::string line = bold("kinegraph " + command.name);
-    for (const OptionForm& option : command.options)
+    for (const OptionForm& option : command.options) {
         if (option.is_argument)
             line += option.is_required ? " " + italic(option.names.front()) : " [" + italic(option.names.front()) + "]";
+        else if (option.is_required)
+            line += " " + bold(option.names.front()) + " " + italic(option.type);
+    }
     const bool has_options = std::any_of(command.options.begin(), command.options.end(),
                                          [](const OptionForm& option) { return !option.is_argument; });
     return line + (has_options ? " [" + italic("options") + "]" : "") + "\n";

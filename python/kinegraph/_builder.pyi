@@ -103,9 +103,10 @@ class FileBuilder:
     def joint(self, *entries: Any, revolute: str = ..., bodies: Sequence[Any] = ..., name: str = ...,
             prismatic: str = ..., along: Quantity | Sequence[Any] = ..., pin_slot: str = ..., arc: str = ...,
             rolling: str = ..., profiles: Mapping[str, Any] = ..., tangent: Quantity | Sequence[Any] = ...,
-            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ...,
-            length: Quantity = ..., contact: str = ..., pushes: Sequence[Any] = ..., gear: str = ...,
-            pressure_angle: Quantity = ..., arm: int | str = ..., weld: str = ...) -> Self:
+            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium',
+            'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ..., length: Quantity = ..., contact: str = ...,
+            pushes: Sequence[Any] = ..., gear: str = ..., pressure_angle: Quantity = ..., arm: int | str = ...,
+            weld: str = ...) -> Self:
         """Adds to 'joints'. A joint between bodies.
 
         revolute: The name of a point.
@@ -358,8 +359,8 @@ class FileBuilder:
         arc: The centre of a curved slot.
         name: What results and references call the joint; else it goes by its point's name."""
     def rolling(self, rolling: Any, *more: Any, bodies: Sequence[Any] = ..., profiles: Mapping[str, Any] = ...,
-            tangent: Quantity | Sequence[Any] = ...,
-            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ...,
+            tangent: Quantity | Sequence[Any] = ..., materials: Literal['steel', 'stainless steel', 'cast iron',
+            'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ...,
             length: Quantity = ..., name: str = ...) -> Self:
         """Adds to 'joints'. Rolling without slip.
 
@@ -372,9 +373,9 @@ class FileBuilder:
             mm, in, ft), or is a formula "= …".
         name: What results and references call the joint; else it goes by its point's name."""
     def contact(self, contact: Any, *more: Any, bodies: Sequence[Any] = ..., profiles: Mapping[str, Any] = ...,
-            tangent: Quantity | Sequence[Any] = ..., pushes: Sequence[Any] = ...,
-            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ...,
-            length: Quantity = ..., name: str = ...) -> Self:
+            tangent: Quantity | Sequence[Any] = ..., pushes: Sequence[Any] = ..., materials: Literal['steel',
+            'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] |
+            Mapping[str, Any] = ..., length: Quantity = ..., name: str = ...) -> Self:
         """Adds to 'joints'. A sliding contact.
 
         bodies: The two bodies i, j.
@@ -388,8 +389,9 @@ class FileBuilder:
         name: What results and references call the joint; else it goes by its point's name."""
     def gear(self, gear: Any, *more: Any, bodies: Sequence[Any] = ..., profiles: Mapping[str, Any] = ...,
             tangent: Quantity | Sequence[Any] = ..., pressure_angle: Quantity = ..., arm: int | str = ...,
-            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium', 'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ...,
-            length: Quantity = ..., name: str = ...) -> Self:
+            materials: Literal['steel', 'stainless steel', 'cast iron', 'bronze', 'brass', 'aluminium',
+            'titanium', 'glass', 'nylon'] | Mapping[str, Any] = ..., length: Quantity = ...,
+            name: str = ...) -> Self:
         """Adds to 'joints'. Pitch curves that touch at the pitch point.
 
         bodies: The two bodies i, j.

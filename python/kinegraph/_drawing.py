@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import os
 from collections.abc import Mapping, Sequence
@@ -60,11 +61,6 @@ def numbered(path: Path, page: int) -> Path:
     return path if page == 0 else path.with_name(f"{path.stem}-{page + 1}{path.suffix}")
 
 
-def embedded(svg: str) -> str:
-    """Without the declaration of XML, as an element of a page."""
-    return svg[svg.index("<svg"):]
-
-
 class Drawing:
     """Finished pages, to scale in millimetres. The same solution and options give the same bytes everywhere."""
 
@@ -116,7 +112,13 @@ class Drawing:
         return paths
 
     def _repr_svg_(self) -> str:
-        return embedded(self.svg())
+        return self.svg()
+
+    def _repr_html_(self) -> str:
+        """All pages as pictures: an SVG in the page itself would be rewritten by the filters of notebooks."""
+        pages = (base64.b64encode(each.encode()).decode() for each in self._core.svg("outlines"))
+        return "".join(f'<img src="data:image/svg+xml;base64,{page}" alt="page {number}" style="max-width:100%">'
+                       for number, page in enumerate(pages, start=1))
 
 
 class LivePage:

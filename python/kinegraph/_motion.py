@@ -155,7 +155,10 @@ class Sweep:
         return self.draw(**options).save(path, dpi=dpi, text=text)
 
     def _repr_svg_(self) -> str:
-        return self.draw()._repr_svg_()
+        return self.draw().svg()
+
+    def _repr_html_(self) -> str:
+        return self.draw()._repr_html_()
 
 
 class Cam:
@@ -208,7 +211,10 @@ class CamCycle:
         return Drawing(self._core.draw(for_core(options)))
 
     def _repr_svg_(self) -> str:
-        return self.draw()._repr_svg_()
+        return self.draw().svg()
+
+    def _repr_html_(self) -> str:
+        return self.draw()._repr_html_()
 
 
 def load_cam(source: PathLike | Mapping[str, Any]) -> Cam:

@@ -176,7 +176,10 @@ class Solution(Mapping[str, float]):
         return self.draw(**options).save(path, dpi=dpi, text=text)
 
     def _repr_svg_(self) -> str:
-        return self.draw()._repr_svg_()
+        return self.draw().svg()
+
+    def _repr_html_(self) -> str:
+        return self.draw()._repr_html_()
 
 
 def draw_all(solutions: Sequence[Solution], **options: Unpack[DrawingOptions]) -> Drawing:

@@ -74,7 +74,7 @@ def _signature(method: Method, name: str) -> str:
     if method.leading:
         before = f"{python_name(method.leading)}: Any, *more: Any"
     keys = [f"{python_name(key)}: {_type(value)} = ..." for key, value in method.keys.items()]
-    whole = " ".join(each.replace(" ", "\0") for each in ", \n".join(["self", before, *keys]).split(" \n"))
+    whole = " ".join(each.replace(" ", "\0") if len(each) < 90 else each for each in ", \n".join(["self", before, *keys]).split(" \n"))
     inner = textwrap.fill(whole + ")\0->\0Self:", 112, break_on_hyphens=False, break_long_words=False,
                           initial_indent=f"    def {name}(", subsequent_indent=" " * 12).replace("\0", " ")
     says = "\n".join(textwrap.fill(line, 112, initial_indent=" " * 8, subsequent_indent=" " * 12 if place else " " * 8)

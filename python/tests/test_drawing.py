@@ -1,6 +1,8 @@
 """Drawings have the bytes that the program writes."""
 
+import base64
 import math
+import re
 import struct
 
 import pytest
@@ -73,7 +75,10 @@ def test_theme_files(solution, tmp_path):
 
 
 def test_notebooks_show_them(solution, examples):
-    assert solution._repr_svg_().startswith("<svg") and solution.svg().endswith(solution._repr_svg_())
+    assert solution._repr_svg_() == solution.svg()
+    pictures = re.findall('src="data:image/svg.xml;base64,([^"]*)"', solution.draw(steps=True)._repr_html_())
+    assert len(pictures) == solution.draw(steps=True).pages > 1
+    assert base64.b64decode(pictures[1]).decode() == solution.svg(1, steps=True)
     page = solution.page()._repr_html_()
     assert page.startswith("<iframe srcdoc=") and "<script" not in page  # escaped within the attribute
     assert kinegraph.load(examples / "four_bar.json").sweep(steps=12)._repr_svg_()

@@ -40,7 +40,8 @@ def test_the_wheel_is_complete(tmp_path):
     assert {"kinegraph/py.typed", "kinegraph/_core.pyi", "kinegraph/_builder.pyi"} <= set(names)
     assert any(name.endswith(".so") for name in names) and not any("__pycache__" in name for name in names)
     said = subprocess.run([sys.executable, "-c", "import kinegraph; print(kinegraph.__file__, kinegraph.__version__)"],
-                          check=True, cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)}, stdout=subprocess.PIPE, text=True)
+                          check=True, cwd=tmp_path, env={"PYTHONPATH": str(tmp_path)}, stdout=subprocess.PIPE,
+                          text=True)
     assert said.stdout.startswith(str(tmp_path)) and said.stdout.split()[1] in wheel.name
 
 
@@ -57,6 +58,6 @@ def test_the_tutorial_runs(tmp_path):
     subprocess.run([sys.executable, "-m", "nbconvert", "--to", "html", "--execute", "tutorial.ipynb"], check=True,
                    env=environment, cwd=tmp_path)
     page = (tmp_path / "tutorial.html").read_text(encoding="utf-8")
-    # The sheet and the figures, the live page in its frame, the plot of matplotlib, the key as a table.
-    assert page.count("<svg") >= 3 and "<iframe" in page and "data:image/png" in page and "<table" in page
+    # The sheet, a figure and the sweep; the live page in its frame, the plot of matplotlib, the key as a table.
+    assert page.count("data:image/svg+xml") >= 3 and "<iframe" in page and "data:image/png" in page and "<table" in page
     assert {path.name for path in tmp_path.glob("*.pdf")} == {"questions.pdf", "solutions.pdf", "key.pdf"}
