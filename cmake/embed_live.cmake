@@ -8,7 +8,7 @@ function(literal out text)
 endfunction()
 
 set(script)
-foreach(name types closure replay given motion room figures bindings measure exercise traces panel tell page)
+foreach(name types closure replay given motion room figures bindings measure tasks report exercise traces panel tell rooms drag drive stage steps hall page)
     file(READ ${SOURCE}/${name}.js text)
     if(text MATCHES "</script")
         message(FATAL_ERROR "${name}.js would end the element that it stands in")
@@ -20,6 +20,8 @@ file(READ ${SOURCE}/watch.js text)
 literal(watch "${text}")
 file(READ ${SOURCE}/page.css text)
 literal(style "${text}")
+file(READ ${SOURCE}/controls.html text)
+literal(controls "${text}")
 file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
 #include \"render/live/live_page.hpp\"
 
@@ -28,6 +30,7 @@ namespace kinegraph::render {
 constinit const std::string_view live_script =${script};
 constinit const std::string_view live_watch_script = ${watch};
 constinit const std::string_view live_style = ${style};
+constinit const std::string_view live_controls = ${controls};
 
 }  // namespace kinegraph::render
 ")

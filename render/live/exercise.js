@@ -1,100 +1,8 @@
-// The exercise: the student draws the next line of a polygon: its start, direction and length. The line is compared
-// with the construction; a wrong one is reported as a wrong point, direction, sense or length. Only in the drawn
-// position, one polygon at a time. Nothing is sent.
+// The exercise: the student draws the lines of a polygon, in any order in which they can be drawn: start, direction,
+// sense and length. Each is judged by what the student's own earlier lines imply. Only in the drawn position, one
+// polygon at a time. Nothing is sent.
 
-/**
- * @typedef {{statement: number, kind: 'vector' | 'line', name: string, from: Spot, by: Spot}} Task
- * name: of the vector drawn, or of the vector on the line; by: the vector, or the line's direction, mm on paper
- * @typedef {{name: string, along: Spot}} Direction a unit vector on paper
- */
-
-/** Tolerances: degrees, mm, share of the length. */
-const straightEnough = 2, longEnough = 1, shareEnough = 0.02;
-
-/**
- * The lines of a polygon in drawing order: known vectors, and the lines on which the others lie.
- * @param {FigureView} view
- * @param {(statement: number) => Set<string>} unknownIn names of the vectors of unknown magnitude in a statement
- * @returns {Task[]}
- */
-function tasksOf(view, unknownIn) {
-    /** @type {Spot[]} */
-    const known = [];
-    const isSame = (/** @type {Spot} */ a) => (/** @type {Spot} */ b) => apart(a, b) < samePlace;
-    const isKnown = (/** @type {Spot} */ at) => known.some(isSame(at));
-    const {vectors, lines} = drawnIn(view);
-    known.push(...vectors.filter(({statement}) => statement < 0).flatMap(({ends}) => ends));
-    const statements = [...new Set([...vectors, ...lines].map(({statement}) => statement))].filter((each) => each >= 0);
-    /** @type {Task[]} */
-    const tasks = [];
-    for (const statement of statements.sort((a, b) => a - b)) {
-        const ofIt = vectors.filter((each) => each.statement === statement),
-            on = lines.filter((each) => each.statement === statement);
-        const unknown = unknownIn(statement);
-        const isMet = (/** @type {Spot} */ at) => on.some(({points}) => points.slice(1).some(isSame(at)));
-        for (const {name, ends: [tail, tip]} of ofIt) {
-            if (isMet(tail) || isMet(tip) || unknown.has(name) || (isKnown(tail) && isKnown(tip))) continue;
-            tasks.push({statement, kind: 'vector', name, from: tail, by: minus(tip, tail)});
-            known.push(tail, tip);
-        }
-        for (const {points, direction} of on) {
-            const from = points.find(isKnown);
-            if (!from || (points.length > 1 && points.every(isKnown))) continue;
-            const lying = ofIt.find(({ends}) =>
-                ends.every((at) => Math.abs(dot(minus(at, from), quarterTurn(direction))) < samePlace),
-            );
-            tasks.push({statement, kind: 'line', name: lying?.name ?? '', from, by: direction});
-        }
-        // Of a force only the line of action is known: it is drawn through the end that is known.
-        for (const {name, ends} of ofIt) {
-            const from = ends.find(isKnown);
-            if (!unknown.has(name) || on.length > 0 || !from || ends.every(isKnown)) continue;
-            tasks.push({statement, kind: 'line', name, from, by: unitOf(minus(ends[1], ends[0]))});
-        }
-        known.push(...on.flatMap(({points}) => points), ...ofIt.flatMap(({ends}) => ends));
-    }
-    return tasks;
-}
-
-/**
- * Vectors and lines of a polygon on paper; statement −1: given.
- * @param {FigureView} view
- */
-function drawnIn(view) {
-    const vectors = [...view.group.querySelectorAll(':scope > g.vector')].flatMap((node) => {
-        const name = node.getAttribute('data-name') ?? '',
-            ends = view.vector(name);
-        return ends && apart(...ends) > longEnough
-            ? [{statement: Number(node.getAttribute('data-statement') ?? -1), name, ends}]
-            : [];
-    });
-    const lines = view.motion.data.plans[0].lines
-        .filter(([figure]) => figure === view.id)
-        .flatMap(([, name, statement]) => {
-            const line = view.line(name);
-            return line ? [{statement, points: line.points, direction: line.direction}] : [];
-        });
-    return {vectors, lines};
-}
-
-/**
- * The fault of a line; empty if it is right.
- * @param {Task} task
- * @param {Spot} from
- * @param {Spot} to
- * @returns {'' | 'wrong_point' | 'wrong_direction' | 'wrong_sense' | 'too_long' | 'too_short'}
- */
-function faultOf(task, from, to) {
-    const by = minus(to, from), size = apart(from, to), wanted = Math.hypot(task.by.x, task.by.y);
-    if (apart(from, task.from) > samePlace) return 'wrong_point';
-    if (size < longEnough) return 'too_short';
-    const across = Math.abs(dot(by, quarterTurn(task.by))) / (size * wanted);
-    if (across > Math.sin(straightEnough * Math.PI / 180)) return 'wrong_direction';
-    if (task.kind === 'line') return '';
-    if (dot(by, task.by) < 0) return 'wrong_sense';
-    if (Math.abs(size - wanted) <= Math.max(longEnough, shareEnough * wanted)) return '';
-    return size > wanted ? 'too_long' : 'too_short';
-}
+/** @typedef {{name: string, along: Spot}} Direction a unit vector on paper */
 
 class Exercise {
     /** @param {Page} page */
@@ -102,28 +10,38 @@ class Exercise {
         this.page = page;
         this.isOn = false;
         this.figure = '';
-        this.next = 0;
         /**
-         * By finished task: 1, right at the first try; ½, with help; 0, shown.
-         * @type {number[]}
+         * By the number of a task that is drawn.
+         * @type {Map<number, Done>}
          */
-        this.points = [];
-        this.isHelped = false;
+        this.done = new Map();
+        this.now = 0;
+        this.attempts = 0;
+        this.hints = 0;
+        this.begun = 0;
+        /**
+         * Elements of the record that stand where the student has put them.
+         * @type {Map<number, [number, number, number]>}
+         */
+        this.own = new Map();
         /** @type {Element | null} */
         this.group = null;
         /** @type {Handle | null} */
         this.handle = null;
         this.from = {x: 0, y: 0};
+        this.report = new Report(page);
     }
     wire() {
         const {page} = this;
-        page.at('try').onclick = () => (this.isOn ? this.end() : this.begin());
         page.at('try-figure').onchange = () => this.take(page.at('try-figure').value);
+        page.at('try-name').onchange = () => this.choose(Number(page.at('try-name').value));
         page.at('try-point').onchange = () => this.choosePoint();
         page.at('try-direction').onchange = () => this.aim();
         page.at('try-check').onclick = () => this.check();
         page.at('try-hint').onclick = () => this.hint();
-        page.at('try-show').onclick = () => this.finish(0);
+        page.at('try-show').onclick = () => this.finish(0, 'shown');
+        page.at('try-keep').onclick = () => this.keep();
+        this.report.wire();
         document.addEventListener('languagechosen', () => this.isOn && this.refresh());
     }
     /** @param {FigureView} view */
@@ -131,21 +49,20 @@ class Exercise {
         return tasksOf(view, (statement) => this.unknownIn(statement, view.id.startsWith('forces')));
     }
     /**
-     * Reads the table under a sentence: terms, whether their magnitudes are known, whether their directions are. A
-     * sentence on forces names the forces that it finds.
+     * Reads the table under a sentence, a row for each term: its sign, name, whether its magnitude is known, whether
+     * its
+     * direction is. A sentence on forces names the forces that it finds.
      * @param {number} statement
      * @param {boolean} isOfForces
      */
     unknownIn(statement, isOfForces) {
         const sentence = this.page.sheet.querySelector(`li[data-says="${statement}"]`);
-        const table = /** @type {HTMLTableElement | null} */ (sentence?.querySelector('table.equation') ?? null);
-        const rows = table
-            ? [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent ?? ''))
-            : [[], [], []];
-        const names = [...this.page.sheet.querySelectorAll('g.vector')].map(
-            (node) => node.getAttribute('data-name') ?? '',
-        );
-        const unknown = rows[0].filter((_, i) => rows[1][i] === '?' && rows[2][i].startsWith('✓'));
+        const rows = /** @type {HTMLTableRowElement[]} */ ([...sentence?.querySelectorAll('table.equation tr') ?? []]);
+        const names = [...this.page.sheet.querySelectorAll('g.vector')].map((node) =>
+            node.getAttribute('data-name') ?? '');
+        const unknown = rows.map((row) => [...row.cells].map((cell) => cell.textContent ?? ''))
+            .filter(([, , magnitude, direction]) => magnitude === '?' && direction.startsWith('✓')).map(([,
+                name]) => name);
         if (isOfForces && sentence) {
             for (const letter of sentence.querySelectorAll('b'))
                 unknown.push(`${letter.textContent}${letter.nextSibling?.textContent}`);
@@ -160,11 +77,18 @@ class Exercise {
         return all.filter((view) => all.find(({id}) => id === view.id) === view && this.tasksOf(view).length > 0);
     }
     get view() {
-        return this.page.figures.find((view) => view.id === this.figure);
+        return this.isOn ? this.page.figures.find((view) => view.id === this.figure) : undefined;
     }
-    /** @returns {Task[]} */
+    /**
+     * As the student's own lines imply them.
+     * @returns {Task[]}
+     */
     get tasks() {
         return this.view ? this.tasksOf(this.view) : [];
+    }
+    /** By task in drawing order: 1, right at the first attempt; ½, with help; 0, shown or kept with a fault. */
+    get points() {
+        return [...this.done.values()].map(({points}) => points);
     }
 
     begin() {
@@ -174,88 +98,88 @@ class Exercise {
         page.motion?.toDrawn(page.course);
         page.show();
         const first = this.polygons[0];
-        if (!first) return page.announce(page.word('nothing_to_try'));
-        this.isOn = true;
-        this.take(first.id);
+        this.isOn = first !== undefined;
+        if (first) this.take(first.id);
+        else this.tell(page.word('nothing_to_try'));
     }
     end() {
-        this.isOn = false;
         this.clear();
-        this.page.showTrying(false);
-        this.page.showStep(-1, false);
+        this.moveOwn(new Map());
+        this.isOn = false;
     }
     /** @param {string} figure */
     take(figure) {
         this.figure = figure;
-        this.next = 0;
-        this.points = [];
-        this.isHelped = false;
+        this.done.clear();
+        this.own.clear();
+        this.report.hide();
+        this.moveOwn(this.own);
+        this.page.stage.show();
+        this.choose(0);
+        this.tell('');
+    }
+    /** @param {number} task */
+    choose(task) {
+        this.now = task;
+        [this.attempts, this.hints, this.begun] = [0, 0, performance.now()];
         this.refresh();
-        this.view?.svg.scrollIntoView({block: 'center'});
     }
     clear() {
         for (const node of document.querySelectorAll('g.student')) takeAway(node);
         this.group = this.handle = null;
     }
 
+    // --- the page ----------------------------------------------------------------------------------------------------
+
     /** Shows the page before the next line. */
     refresh() {
         const {page} = this;
-        page.showTrying(true);
         this.clear();
         const {view, tasks} = this;
-        if (!view) return this.end();
+        if (!view) return;
         fill(
             page.at('try-figure'),
             this.polygons.map((each) => [each.id, each.caption + each.id.replace(/^[^-]*-?/, ' ')]),
             this.figure,
         );
-        const task = tasks[this.next],
-            isDone = task === undefined;
-        page.hideFrom(isDone ? Infinity : task.statement);
-        for (const figure of page.sheet.querySelectorAll('.figures > figure')) {
-            const isMechanism = figure.getAttribute('data-figure-name') === 'mechanism';
-            figure.classList.toggle('aside', !figure.contains(view.svg) && !isMechanism);
-        }
-        for (const id of ['try-point', 'try-direction', 'try-check', 'try-hint', 'try-show'])
-            page.at(id).disabled = isDone;
-        const score = this.points.reduce((sum, each) => sum + each, 0);
+        const isDone = this.done.size === tasks.length;
+        this.hide(tasks);
+        for (const id of ['try-name', 'try-point', 'try-direction', 'try-check', 'try-hint',
+            'try-show']) page.at(id).disabled = isDone;
+        page.at('try-keep').hidden = true;
         page.at('try-score').textContent = page
             .word('score')
-            .replace('{0}', page.numberText(score))
+            .replace('{0}', page.numberText(total(this.points)))
             .replace('{1}', String(tasks.length));
         page.at('try-length').textContent = '';
         this.group = drawn(view.svg, 'g', {class: 'student'});
-        const ofStatement = tasks.slice(0, this.next).filter((each) => each.statement === task?.statement);
-        for (const each of ofStatement) this.drawDone(each, view);
-        if (isDone) return this.tell(page.word('all_drawn'), page.at('try-figure'));
-        this.ask(task);
-        const points = this.pointsKnown(view);
-        fill(
-            page.at('try-point'),
-            points.map(({name}, i) => [String(i), name]),
-            '0',
-        );
-        fill(
-            page.at('try-direction'),
-            [['', page.word('by_hand')], ...this.directions().map(({name}, i) => [String(i), name])],
-            '',
-        );
+        tasks.forEach((each, i) => this.done.has(i) && this.drawDone(each, view));
+        if (isDone) {
+            this.report.show(view.caption, tasks.flatMap((_, i) => this.done.get(i) ?? []));
+            return this.tell(page.word('all_drawn'), page.at('report-print'));
+        }
+        fill(page.at('try-name'), tasks.flatMap((each, i) => this.done.has(i) ? [] : [[String(i),
+            this.nameOf(each)]]), String(this.now));
+        fill(page.at('try-point'), this.pointsKnown(view).map(({name}, i) => [String(i), name]), '0');
+        const directions = this.directions().map(({name}, i) => [String(i), name]);
+        fill(page.at('try-direction'), [['', page.word('by_hand')], ...directions], '');
         this.layLine(view);
     }
+    /**
+     * Of a statement the strokes are there when all of its lines are drawn; without lines of its own, when those before
+     * it are.
+     * @param {Task[]} tasks
+     */
+    hide(tasks) {
+        const open = tasks.filter((_, i) => !this.done.has(i)).map(({statement}) => statement),
+            first = Math.min(Infinity, ...open);
+        const own = new Set(tasks.map(({statement}) => statement));
+        this.page.hideStatements((statement) => own.has(statement) ? open.includes(statement) : statement > first);
+    }
     /** @param {Task} task */
-    ask(task) {
-        const word = task.kind === 'vector' ? 'draw_vector' : task.name === '' ? 'draw_line' : 'draw_line_of';
-        const [before, after = ''] = this.page.word(word).split('{0}'),
-            [letter, low = '', high = ''] = task.name.split('_');
-        const node = this.page.at('try-task');
-        node.textContent = before;
-        for (const [tag, text] of [['i', letter], ['sub', low], ['sup', high]]) {
-            if (text === '') continue;
-            node.append(document.createElement(tag));
-            node.lastChild.textContent = text;
-        }
-        node.append(after);
+    nameOf({kind, name}) {
+        if (kind === 'vector') return unscored(name);
+        return name === '' ? this.page.word('line_alone') : this.page.word('line_of').replace('{0}', unscored(name));
     }
     /**
      * @param {Task} task
@@ -268,16 +192,15 @@ class Exercise {
         putLine(line, along(task.from, -width / 3, task.by), along(task.from, width / 3, task.by));
     }
 
-    // --- the choices
-    // --------------------------------------------------------------------------------------------------
+    // --- the choices -------------------------------------------------------------------------------------------------
 
     /**
-     * Vertices already drawn, the pole first.
+     * Vertices that are there, the pole first.
      * @param {FigureView} view
      * @returns {{name: string, at: Spot}[]}
      */
     pointsKnown(view) {
-        const {tasks} = this, done = tasks.slice(0, this.next), now = tasks[this.next];
+        const {tasks} = this;
         const letters = view.motion.data.plans[0].spots.filter(([figure]) => figure === view.id).flatMap(([, name]) => {
             const at = view.spot(name);
             return at ? [{name: unscored(name), at}] : [];
@@ -286,10 +209,13 @@ class Exercise {
             const name = node.getAttribute('data-name') ?? '', ends = view.vector(name);
             return ends ? [{name, ends}] : [];
         });
-        const own = done
-            .filter((each) => each.kind === 'vector')
+        const own = tasks.filter(({kind}, i) => kind === 'vector' && this.done.has(i))
             .map(({name, from, by}) => ({name, ends: [from, along(from, 1, by)]}));
-        const places = [tasks[0].from, ...[...drawnVectors, ...own].flatMap(({ends}) => ends), now.from];
+        const places = [
+            ...tasks.filter((each) => leadingTo(each, tasks).length === 0).map(({from}) => from),
+            ...[...drawnVectors, ...own].flatMap(({ends}) => ends),
+            ...tasks.filter((each) => this.isReady(each, tasks)).map(({from}) => from),
+        ];
         /** @type {{name: string, at: Spot}[]} */
         const points = [];
         for (const at of places) {
@@ -304,6 +230,14 @@ class Exercise {
             points.push({name, at});
         }
         return points;
+    }
+    /**
+     * Whether the point in which a task begins is there.
+     * @param {Task} task
+     * @param {Task[]} tasks
+     */
+    isReady(task, tasks) {
+        return leadingTo(task, tasks).every((each) => this.done.has(tasks.indexOf(each)));
     }
     /**
      * Directions along and perpendicular to the lines of the mechanism.
@@ -337,17 +271,18 @@ class Exercise {
         return found;
     }
 
-    // --- the student's line
-    // -------------------------------------------------------------------------------------------
+    // --- the student's line ------------------------------------------------------------------------------------------
 
     /** @param {FigureView} view */
     layLine(view) {
-        const group = /** @type {Element} */ (this.group),
-            points = this.pointsKnown(view);
-        for (const {at} of points)
+        const group = /** @type {Element} */ (this.group);
+        for (const {at} of this.pointsKnown(view))
             drawn(group, 'circle', {cx: at.x.toFixed(3), cy: at.y.toFixed(3), r: 1.1, class: 'vertex'});
         drawn(group, 'line', {class: 'own'});
         this.handle = new Handle(group, view.svg, this.page.word('line_end'), (at) => this.drag(at));
+        this.handle.node.addEventListener('keydown', (event) => {
+            if (/** @type {KeyboardEvent} */ (event).key === 'Enter') this.check();
+        });
         this.choosePoint();
     }
     choosePoint() {
@@ -380,10 +315,9 @@ class Exercise {
         if (!view || !handle) return;
         handle.put(e ? along(from, dot(minus(at, from), e), e) : at);
         putLine(/** @type {Element} */ (this.group?.querySelector('.own')), from, handle.at);
-        const {kind} = this.tasks[this.next];
         const written = (/** @type {number} */ value) => page.numberText(value);
-        page.at('try-length').textContent =
-            kind === 'vector' ? measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
+        page.at('try-length').textContent = this.tasks[this.now]?.kind === 'vector' ?
+            measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
     }
     /**
      * If there is a vertex under the pointer, the line starts there.
@@ -400,30 +334,94 @@ class Exercise {
         this.choosePoint();
     }
 
-    // --- the verdict
-    // --------------------------------------------------------------------------------------------------
+    // --- the verdict -------------------------------------------------------------------------------------------------
 
     check() {
-        if (!this.handle) return;
-        const fault = faultOf(this.tasks[this.next], this.from, this.handle.at);
-        if (fault === '') return this.finish(this.isHelped ? 0.5 : 1);
-        this.isHelped = true;
-        this.tell(this.page.word(fault));
+        const {page, tasks, handle} = this, task = tasks[this.now];
+        if (!handle || !task) return;
+        const missing = leadingTo(task, tasks).find((each) => !this.done.has(tasks.indexOf(each)));
+        ++this.attempts;
+        if (missing) return this.tell(this.filled('too_early', this.nameOf(task), this.nameOf(missing)));
+        const fault = faultOf(task, this.from, handle.at);
+        if (fault.kind === '') return this.finish(this.attempts === 1 && this.hints === 0 ? 1 : 0.5,
+            this.own.size > 0 ? 'carried' : 'right');
+        const other = tasks.find((each, i) => i !== this.now && !this.done.has(i) && each.kind === task.kind &&
+            this.isReady(each, tasks) && faultOf(each, this.from, handle.at).kind === '');
+        this.tell(other ? this.filled('is_other', this.nameOf(task), this.nameOf(other)) : this.sayFault(task, fault));
+        page.at('try-keep').hidden = other !== undefined || this.ownElement(task) === null;
+    }
+    /**
+     * What the line should be incident with, and is not.
+     * @param {Task} task
+     * @param {Fault} fault
+     */
+    sayFault(task, {kind, by}) {
+        const {page} = this, name = this.nameOf(task), off = page.numberText(Number(by.toFixed(by < 10 ? 1 : 0)));
+        if (kind === 'not_through')
+            return this.filled(kind, name,
+                this.pointsKnown(/** @type {FigureView} */ (this.view))[Number(page.at('try-point').value)].name);
+        if (kind !== 'not_along') return this.filled(kind, kind === 'wrong_sense' ? name : off);
+        const wanted = this.directions().find(({along: e}) => Math.abs(dot(e, quarterTurn(unitOf(task.by)))) < 1e-6);
+        return wanted ? this.filled(kind, name, wanted.name, off) : this.filled('off_by_angle', name, off);
+    }
+    /**
+     * @param {string} key
+     * @param {string[]} values
+     */
+    filled(key, ...values) {
+        return values.reduce((text, value, i) => text.replace(`{${i}}`, value), this.page.word(key));
     }
     hint() {
-        this.isHelped = true;
-        const {statement} = this.tasks[this.next];
+        ++this.hints;
+        const {statement} = this.tasks[this.now];
         const sentence = this.page.says.find((each) => Number(each.dataset.says) === statement);
         this.tell(sentence ? spoken(sentence) : this.page.word('no_hint'));
     }
-    /** @param {number} points */
-    finish(points) {
-        const kind = points > 0 ? 'right' : 'shown';
-        this.points.push(points);
-        ++this.next;
-        this.isHelped = false;
-        this.refresh();
-        if (this.next < this.tasks.length) this.tell(this.page.word(kind));
+    /**
+     * @param {number} points
+     * @param {string} verdict
+     */
+    finish(points, verdict) {
+        const {page, tasks, now} = this, seconds = Math.round((performance.now() - this.begun) / 1000);
+        this.done.set(now, {name: this.nameOf(tasks[now]), attempts: this.attempts, hints: this.hints, seconds,
+            points});
+        const next = tasks.findIndex((each, i) => !this.done.has(i) && this.isReady(each, tasks));
+        this.choose(Math.max(next, 0));
+        if (this.done.size < tasks.length) this.tell(page.word(verdict));
+    }
+
+    // --- the student's own construction ------------------------------------------------------------------------------
+
+    /**
+     * The element that the student's line puts elsewhere, and its value; null: the record has none.
+     * @param {Task} task
+     * @returns {[number, [number, number, number]] | null}
+     */
+    ownElement(task) {
+        const {view, handle, from} = this;
+        if (!view || !handle) return null;
+        const plan = view.drawnBy(view.motion.plan), tip = view.unpaper(handle.at), tail = view.unpaper(from);
+        if (task.kind === 'vector') {
+            const element = plan.vectors.get(view.keys.get(task.name) ?? task.name)?.[1];
+            return element === undefined || apart(from, task.from) > pencil ? null : [element, [tip.x, tip.y, 1]];
+        }
+        const element = plan.lines.get(task.line)?.line, by = minus(tip, tail);
+        return element === undefined ? null : [element, [-by.y, by.x, by.y * tail.x - by.x * tail.y]];
+    }
+    /** Goes on with a line that has a fault: it costs this step, and what follows is judged by it. */
+    keep() {
+        const {tasks, now} = this, own = this.ownElement(tasks[now]);
+        if (!own) return;
+        this.own.set(...own);
+        this.moveOwn(this.own);
+        this.finish(0, 'kept');
+    }
+    /** @param {Exercise['own']} own */
+    moveOwn(own) {
+        const {motion} = this.page;
+        if (!motion || (own.size === 0 && !motion.isOwn)) return;
+        motion.putOwn(own);
+        this.page.show();
     }
     /**
      * @param {string} words
@@ -432,7 +430,6 @@ class Exercise {
     tell(words, focus) {
         this.page.at('try-verdict').textContent = words;
         focus?.focus();
-        if (focus) this.page.at('try-task').textContent = '';
     }
 }
 

@@ -117,6 +117,19 @@ std::string without_comments(std::string_view source, bool is_script) {
     return out;
 }
 
+/// A part of the page without the comment above it and the line breaks and indentation of its file.
+std::string without_layout(std::string_view source) {
+    source.remove_prefix(source.find("-->\n") + 4);
+    std::string out;
+    for (std::size_t at = 0; at < source.size();) {
+        const std::size_t end = std::min(source.find('\n', at), source.size());
+        const std::size_t first = std::min(source.find_first_not_of(' ', at), end);
+        out += source.substr(first, end - first);
+        at = end + 1;
+    }
+    return out;
+}
+
 std::string in_face(const std::string& text, Face face) {
     if (text.empty()) return {};
     const bool italic = face == Face::italic || face == Face::bold_italic,
@@ -337,84 +350,50 @@ public:
                 (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
         }
         std::string data = "{\"words\":" + words_json(first) + ",\"figures\":{" + figures + "}";
+        data += dark ? ",\"dark\":true" : "";
         if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
         const std::string script =
             without_comments(live_script, true) + (served > 0 ? without_comments(live_watch_script, true) : "");
         return document(title_of(solution_, first), first, style_of(options_.theme, dark), script, data, served > 0,
-                        drawings_.outlines() + controls(dark.has_value()) + sheets);
+                        drawings_.outlines() + body(sheets));
     }
 
 private:
-    /// Empty; the script adds the words.
-    std::string controls(bool has_dark) const {
-        std::string out = "<header id=\"controls\">\n";
-        if (moving_) {
-            out +=
-                "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> "
-                "<select "
-                "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
-                "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" "
-                "step=\"any\"></label>\n"
-                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as_"
-                "drawn\"></button>\n"
-                "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
-                "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values_beside\"></span></label>\n"
-                "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
-                "<label><span data-word=\"plot\"></span> <select id=\"plot\"></select></label>\n"
-                "<details id=\"givens\"><summary data-word=\"givens\"></summary></details>\n"
-                "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
+    /// The sheets within the controls, to which the script adds the words.
+    std::string body(const std::string& sheets) const {
+        std::string titles, languages;
+        for (const Language each : languages_of_page(options_.language)) {
+            titles += element("h1", in_language(each), escaped(title_of(solution_, each)));
+            languages += element("option", "value=\"" + code_of(each) + "\"", lang::notation::name.in(each));
         }
-        out +=
-            "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"
-            "<button id=\"next\" type=\"button\" data-word=\"next\"></button>\n"
-            "<button id=\"all\" type=\"button\" data-word=\"all\"></button>\n<span id=\"step\"></span>\n"
-            "<label><span data-word=\"language\"></span> <select id=\"language\">";
-        for (const Language each : languages_of_page(options_.language))
-            out += element("option", "value=\"" + code_of(each) + "\"", lang::notation::name.in(each));
-        out += "</select></label>\n";
-        if (has_dark)
-            out +=
-                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme_"
-                "system\"></option>"
-                "<option value=\"light\" data-word=\"theme_light\"></option><option value=\"dark\" data-word=\"theme_"
-                "dark\"></option>"
-                "</select></label>\n";
-        if (moving_)
-            out += "<button id=\"try\" type=\"button\" data-word=\"begin_trying\" aria-pressed=\"false\"></button>\n";
-        out += "<button id=\"ruler\" type=\"button\" data-word=\"ruler\" aria-pressed=\"false\"></button>\n";
-        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" +
-               (moving_ ? exercise() : "") + "</header>\n";
+        std::string out = without_layout(live_controls);
+        const auto put = [&](std::string_view place, const std::string& text) {
+            out.replace(out.find(place), place.size(), text);
+        };
+        put("{titles}", titles);
+        put("{languages}", languages);
+        put("{sheets}", sheets);
+        return out;
     }
-
-    /// The pen for a student's lines; hidden at first.
-    static std::string exercise() {
-        const auto choice = [](const std::string& id, const std::string& key) {
-            return "<label><span data-word=\"" + key + "\"></span> <select id=\"" + id + "\"></select></label>\n";
-        };
-        const auto button = [](const std::string& id, const std::string& key) {
-            return "<button id=\"" + id + "\" type=\"button\" data-word=\"" + key + "\"></button>\n";
-        };
-        return "<div class=\"row\" id=\"trying\" hidden>" + choice("try-figure", "polygon") +
-               "<span id=\"try-task\" aria-live=\"polite\"></span>\n" + choice("try-point", "from") +
-               choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" +
-               button("try-check", "check") + button("try-hint", "hint") + button("try-show", "show_it") +
-               "<span id=\"try-score\"></span><p id=\"try-verdict\" role=\"status\"></p></div>\n";
+    /// Attributes of what stands in each language of the page, of which one is shown.
+    std::string in_language(Language language) const {
+        return "lang=\"" + code_of(language) + "\"" + (language == options_.language ? "" : " hidden");
     }
 
     std::string sheet(Language language) {
-        std::string out = element("h1", "", escaped(title_of(solution_, language)));
+        std::string note;
         if (const std::string& cam = solution_.mechanism.cam_file; !cam.empty()) {
-            std::string note = Words(lang::library::this_is_one_position, cam).in(language);
+            note = Words(lang::library::this_is_one_position, cam).in(language);
             note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
-            out += element("p", "class=\"note\"", escaped(note + "."));
+            note = element("p", "class=\"note\"", escaped(note + "."));
         }
-        out += element("div", "class=\"figures\"", figures(language));
-        out += element("div", "class=\"text\"",
-                       steps(language) + equations(language) + values(language) + results(language));
-        const bool first = language == options_.language;
-        return element("main", "lang=\"" + code_of(language) + "\"" + (first ? "" : " hidden"), out);
+        const std::string stage =
+            element("div", "class=\"stage\"", note + element("div", "class=\"figures\"", figures(language)));
+        return element(
+            "main", in_language(language),
+            stage + element("div", "class=\"text\"", steps(language) + values(language) + results(language)));
     }
 
     std::string figures(Language language) {
@@ -438,56 +417,61 @@ private:
         return out;
     }
 
+    /// A chapter for each run of sentences on one topic.
     std::string steps(Language language) const {
         std::string out;
         std::optional<Topic> topic;
-        bool is_open = false;
         const std::vector<Statement>& statements = solution_.protocol.statements;
         for (std::size_t i = 0; i < statements.size(); ++i) {
             const Statement& statement = statements[i];
             if (options_.detail == SolutionDetail::brief && is_incidental(statements, i)) continue;
             if (topic != statement.section) {
+                if (topic) out += "</ol></section>\n";
                 topic = statement.section;
-                if (is_open) out += "</ol>\n";
+                out += "<section class=\"chapter\">";
                 if (*topic != Topic::unnamed) out += element("h2", "", word(steps_heading(*topic), language));
                 out += "<ol class=\"steps\">\n";
-                is_open = true;
             }
             std::string said = html(say(statement.message, language));
             if (statement.equation) said += equation(*statement.equation, language);
-            out += element("li", "data-says=\"" + std::to_string(i) + "\"", said);
+            std::string attributes = "data-says=\"" + std::to_string(i) + "\"", bodies;
+            for (const BodyIndex body : statement.bodies)
+                bodies += (bodies.empty() ? "" : " ") + legal_id(solution_.mechanism.body(body).name);
+            if (!bodies.empty()) attributes += " data-bodies=\"" + bodies + "\"";
+            out += element("li", attributes, said);
         }
-        if (is_open) out += "</ol>\n";
+        if (topic) out += "</ol></section>\n";
         if (!out.empty() && moving_) out += "<p class=\"note\" data-word=\"of_drawn_position\" hidden></p>\n";
         return out;
     }
-    /// Shows below each term whether magnitude and direction are known.
+    /// A row for each term: its sign, its symbol, whether its magnitude and its direction are known. The page shows the
+    /// rows beside each other, as on the sheet, and breaks the line where it is full.
     static std::string equation(const Equation& equation, Language language) {
-        std::string terms, magnitudes, directions;
+        const auto row = [](const std::string& sign, const std::string& head, const std::string& magnitude,
+                            const std::string& direction) {
+            const std::string cell = "role=\"cell\"";
+            return element("tr", "role=\"row\"",
+                           element("td", cell, sign) +
+                               (head.empty() ? "<td></td>" : element("th", "role=\"rowheader\"", head)) +
+                               element("td", cell, magnitude) + element("td", cell, direction));
+        };
+        std::string rows = row("", "", word(lang::common::magnitude, language), word(lang::sheet::direction, language));
         for (std::size_t side = 0; side < equation.sides.size(); ++side) {
             for (std::size_t k = 0; k < equation.sides[side].size(); ++k) {
                 const Term& term = equation.sides[side][k];
-                if (side + k > 0) {
-                    terms += element("td", "", k > 0 ? "+" : "=");
-                    magnitudes += "<td></td>";
-                    directions += "<td></td>";
-                }
-                terms += element("td", "", html(typeset(term.symbol, language)));
-                magnitudes += element("td", "", term.magnitude_known ? "✓" : "?");
-                directions += element("td", "", term.direction_known ? "✓ " + html(typeset(term.line, language)) : "?");
+                rows += row(side + k == 0 ? ""
+                            : k > 0       ? "+"
+                                          : "=",
+                            html(typeset(term.symbol, language)), term.magnitude_known ? "✓" : "?",
+                            term.direction_known ? "✓ " + html(typeset(term.line, language)) : "?");
             }
         }
-        const auto row = [&](const std::string& head, const std::string& cells) {
-            return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
-        };
-        return element("table", "class=\"equation\"",
-                       row("", terms) + row(word(lang::common::magnitude, language), magnitudes) +
-                           row(word(lang::sheet::direction, language), directions));
+        return element("table", "class=\"equation\" role=\"table\"", rows);
     }
 
     std::string equations(Language language) const {
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
-        return element("pre", "", escaped(as_text(equation_items(solution_, language))));
+        return printed(as_text(equation_items(solution_, language)));
     }
     /// The name in the file; for an input force or couple, the name on the sheet.
     std::string title_of_column(const Column& column, Language language) const {
@@ -510,15 +494,19 @@ private:
                                          element("th", "scope=\"col\"", word(lang::sheet::page_column, language)) +
                                              element("th", "scope=\"col\"", word(lang::sheet::page_value, language)) +
                                              element("th", "scope=\"col\"", word(lang::sheet::unit, language)));
-        return element("h2", "", word(lang::sheet::page_values, language)) +
-               element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows));
+        return element(
+            "section", "class=\"columns\"",
+            element("h2", "", word(lang::sheet::page_values, language)) +
+                element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows)));
     }
     std::string results(Language language) const {
-        return element("h2", "",
-                       word(lang::sheet::results, language) +
-                           (moving_ ? " (" + word(lang::sheet::page_drawn, language) + ")" : "")) +
-               element("pre", "tabindex=\"0\"", escaped(results_table(solution_, language)));
+        return element("section", "class=\"results\"",
+                       element("h2", "",
+                               word(lang::sheet::results, language) +
+                                   (moving_ ? " (" + word(lang::sheet::page_drawn, language) + ")" : "")) +
+                           equations(language) + printed(results_table(solution_, language)));
     }
+    static std::string printed(const std::string& text) { return element("pre", "tabindex=\"0\"", escaped(text)); }
 
     const Solution& solution_;
     const std::optional<Moving>& moving_;

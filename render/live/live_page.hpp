@@ -24,9 +24,9 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 /// The page served before a file has been solved: its name, its errors, and a reload as soon as there is a solution.
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark);
 
-/// The interpreter, the additional script of a watched page, and the style sheet: the contents of render/live/*.js and
-/// page.css, built into the library.
-extern const std::string_view live_script, live_watch_script, live_style;
+/// The interpreter, the additional script of a watched page, the style sheet, and the controls: the contents of
+/// render/live/*.js, page.css and controls.html, built into the library.
+extern const std::string_view live_script, live_watch_script, live_style, live_controls;
 
 /// SHA-256 of a text in base 64, for a Content-Security-Policy.
 std::string sha256_base64(std::string_view text);

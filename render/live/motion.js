@@ -30,6 +30,8 @@ class Motion {
         this.read = this.places.read();
         this.rates = {rate: 0, acceleration: 0};
         this.isDrawn = true;
+        /** Whether elements of the record stand where a student has put them. */
+        this.isOwn = false;
         /**
          * Values by column that do not come from a plan.
          * @type {(number | null)[] | null}
@@ -61,8 +63,19 @@ class Motion {
         this.rates = {rate: sample?.rate ?? 0, acceleration: sample?.acceleration ?? 0};
         this.read = places.read();
         this.isDrawn = true;
+        this.isOwn = false;
         this.told = null;
         this.plan = this.planHere([0]);
+    }
+
+    /**
+     * The drawn position with some elements elsewhere, and all that follows from them.
+     * @param {Map<number, [number, number, number]>} own by element
+     */
+    putOwn(own) {
+        this.toDrawn();
+        this.isOwn = own.size > 0;
+        if (this.isOwn && this.plan >= 0) this.replays[this.plan].runWith(own);
     }
 
     /**
@@ -107,6 +120,7 @@ class Motion {
         this.course = course;
         this.at = place;
         this.isDrawn = place === 0 && this.isAsGiven;
+        this.isOwn = false;
         this.rates = {rate: nearest.rate, acceleration: nearest.acceleration};
         this.read = this.places.read();
         this.told = null;

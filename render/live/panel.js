@@ -49,7 +49,7 @@ class Panel {
             motion.give(motion.settings.map((each, i) => i === setting ? value : each));
         input.setAttribute('aria-invalid', String(!isGood));
         if (!isGood) return page.say(page.word('does_not_close'));
-        page.rooms.clear();
+        page.drive.rooms.clear();
         page.show();
         page.traces.draw();
     }

@@ -129,6 +129,19 @@ class Replay {
     }
 
     /**
+     * Carries out all strokes, whatever the guards say, with some elements put elsewhere.
+     * @param {Map<number, [number, number, number]>} own by element
+     */
+    runWith(own) {
+        const {strokes} = this.plan;
+        for (let i = 0; i < this.count; ++i) {
+            const put = own.get(i);
+            if (put) this.put(i, ...put);
+            else if (strokes[5 * i + 4] < 0) this.carryOut(i, strokes[5 * i + 2], strokes[5 * i + 3]);
+        }
+    }
+
+    /**
      * Updates the largest magnitude in the element's plane, for comparisons.
      * @param {number} i
      */

@@ -38,7 +38,7 @@ class Traces {
         this.fillLists(motion);
         if (page.at('trace').value !== '') this.drawTrace(Number(page.at('trace').value));
         if (page.at('plot').value !== '') this.drawPlot(motion, Number(page.at('plot').value));
-        page.show();
+        page.stage.show();
     }
     get isTraced() {
         return this.page.at('trace').value !== '';

@@ -27,9 +27,15 @@ function pageOf(name, file = join(examples, `${name}.json`), ...options) {
     if (!existsSync(out)) run('solve', file, ...options, '-o', out);
     return out;
 }
-async function open(path, options) {
+/** The page as it opens, at its first step. */
+async function openToRead(path, options) {
     await openAt(`file://${path}`, options);
     assert.equal(await see('document.documentElement.dataset.ready'), 'true');
+}
+/** The page with all of its figures, moving where it can. */
+async function open(path, options) {
+    await openToRead(path, options);
+    await see(`kinegraph.setMode('move'), kinegraph.stage.setApart(true)`);
 }
 const quiet = () => assert.deepEqual(messages, []);
 
@@ -48,7 +54,7 @@ for (const name of followed) {
         assert.deepEqual(found.missing, []);
         assert.ok(found.compared >= 60 * page.data.moving.columns.length, `${found.compared} values`);
         assert.ok(found.worst.share <= 1e-9, JSON.stringify(found.worst));
-        assert.ok(Buffer.byteLength(page.html) <= (name === 'four_bar' ? 250e3 : 1e6));
+        assert.ok(Buffer.byteLength(page.html) <= ({four_bar: 320e3, exam_2001: 640e3}[name] ?? 1e6));
     });
 }
 
@@ -182,7 +188,8 @@ test('as drawn, every figure on the screen is the one of the sheet', async (t) =
         const png = readFileSync(sheet), [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
         await see(`(() => {
             const svg = document.querySelector('main:not([hidden]) [data-figure-name=${figure}] svg'), {style} = svg;
-            style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9; max-height: none; width: ' +
+            document.body.style.visibility = 'hidden';
+            style.cssText = 'visibility: visible; position: fixed; left: 0; top: 0; z-index: 9; height: auto; width: ' +
                 svg.viewBox.baseVal.width * ${dpi} / 25.4 + 'px';
         })()`);
         writeFileSync(shown, await tab.screenshot({clip: {x: 0, y: 0, width, height}}));
@@ -273,10 +280,13 @@ test('a finger drags a joint, scrolls elsewhere, and takes a step', async () => 
     await touch('touchEnd');
     assert.ok(Math.abs(await see('kinegraph.motion.at') - 0.5) < 0.1);
     assert.equal(await see('scrollY'), scrolled);
-    const says = await see(`kinegraph.says[4].scrollIntoView({block: 'center'}),
-        (({x, y}) => ({x, y}))(kinegraph.says[4].getBoundingClientRect())`);
-    await tab.touchscreen.tap(says.x + 20, says.y + 8);
-    assert.equal(await see('kinegraph.step'), 4);
+    for (const [action, step] of [['next', 1], ['next', 2], ['back', 1]]) {
+        const {x, y, width, height} = await see(`document.querySelector('[data-action=${action}]').getBoundingClientRect().toJSON()`);
+        assert.ok(width >= 44 && height >= 44, `${action} ${width} × ${height}`);
+        if (step === 1 && action === 'next') await see('kinegraph.showStep(0)');
+        await tab.touchscreen.tap(x + width / 2, y + height / 2);
+        assert.equal(await see('kinegraph.step'), step);
+    }
     quiet();
 });
 
@@ -288,9 +298,10 @@ test('limits are stops with their reason', async () => {
 });
 
 test('steps by keys, announced, each with its sentence and its strokes', async () => {
-    await open(pageOf('four_bar'));
+    await openToRead(pageOf('four_bar'));
     await tab.keyboard.press('ArrowRight');
-    await tab.keyboard.press('ArrowRight');
+    await tab.keyboard.press('PageDown');
+    await tab.keyboard.press('PageUp');
     assert.match(await see('document.getElementById("announcement").textContent'), /^Step 2 of \d+: \S/);
     await tab.keyboard.press('Escape');
     assert.equal(await see('document.querySelectorAll("svg .later").length'), 0);
@@ -338,17 +349,21 @@ test('a vector lights its sentence, its rows and its body, and says what it is w
 
 test('the keyboard reaches every control, and the focus is seen', async () => {
     const seen = [];
-    await see('document.activeElement.blur()');
-    for (let i = 0; i < 20; ++i) {
+    await see('document.activeElement.blur(), document.getElementById("menu-button").click()');
+    for (let i = 0; i < 40; ++i) {
         await tab.keyboard.press('Tab');
         const {id, outline} = await see(`(({activeElement: node}) =>
-            ({id: node.id, outline: getComputedStyle(node).outlineStyle}))(document)`);
+            ({id: node.id, outline: node === document.body ? '' : getComputedStyle(node).outlineStyle}))(document)`);
         seen.push(outline === 'none' ? `${id} unseen` : id);
     }
-    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme',
-        'values', 'trace', 'plot', 'try', 'ruler', 'print']) {
+    const tabs = ['mode-move', 'mode-steps', 'try', 'mode-results', 'mode-given'];
+    for (const id of [...tabs, 'play', 'position', 'drawn', 'fit', 'previous', 'next', 'language', 'theme', 'values', 'trace', 'plot',
+        'hall', 'menu-button', 'ruler', 'print']) {
         assert.ok(seen.includes(id), `${id} in ${seen.join()}`);
     }
+    assert.ok(seen.every((id) => !id.endsWith('unseen')), seen.join());
+    await tab.keyboard.press('Escape');
+    assert.equal(await see('document.getElementById("menu").hidden'), true);
 });
 
 test('a ruler measures in mm and in the unit of the figure, by hand and by keys', async () => {
@@ -687,25 +702,36 @@ test('a guide is as long as its slider goes, the scale bar stands below, and wha
     quiet();
 });
 
-test('an exercise tells point, direction, sense and length apart, and counts', async () => {
-    await open(pageOf('four_bar'));
+// --- the exercise ---------------------------------------------------------------------------------------------------------------
+
+const verdict = 'document.getElementById("try-verdict").textContent', score = 'document.getElementById("try-score").textContent';
+const choose = (id, text) => see(`(() => {
+    const list = document.getElementById('${id}');
+    list.value = [...list.options].find((each) => each.text === '${text}').value;
+    list.dispatchEvent(new Event('change'));
+})()`);
+const judge = () => see(`document.getElementById('try-check').click(), ${verdict}`);
+const isSeen = (number) => see(`[...document.querySelectorAll('main:not([hidden]) [data-figure-name=velocity] [data-statement="${number}"]')].every(
+    (each) => getComputedStyle(each).visibility !== 'hidden')`);
+async function begin(name, options) {
+    await openToRead(pageOf(name), options);
     await see('document.getElementById("try").click()');
-    const said = 'document.getElementById("try-verdict").textContent', score = 'document.getElementById("try-score").textContent';
-    const choose = (id, text) => see(`(() => {
-        const list = document.getElementById('${id}');
-        list.value = [...list.options].find((each) => each.text === '${text}').value;
-        list.dispatchEvent(new Event('change'));
-    })()`);
-    const check = () => see(`document.getElementById('try-check').click(), ${said}`);
-    const seen = (number) => see(`[...document.querySelectorAll('main:not([hidden]) [data-says="${number}"]')].every(
-        (each) => getComputedStyle(each).display !== 'none')`);
-    assert.equal(await see('document.getElementById("try-task").textContent'), 'Draw vA: its point, direction, sense and length.');
-    assert.equal(await seen(6), false);
-    assert.equal(await see('getComputedStyle(document.querySelector("main:not([hidden]) .values")).display'), 'none');
+}
+
+test('an exercise tells direction, sense, length, point, name and order apart, and counts', async () => {
+    await begin('four_bar');
+    assert.deepEqual(await see('[...document.getElementById("try-name").options].map(({text}) => text)'),
+        ['v_A', 'the line of v_BA', 'the line of v_B']);
+    assert.equal(await isSeen(6), false);
+    assert.equal(await see('getComputedStyle(document.querySelector("main:not([hidden]) .columns")).display'), 'none');
+    // What begins in a point that is not there yet comes later.
+    await choose('try-name', 'the line of v_BA');
+    assert.equal(await judge(), 'Too early: the line of v_BA begins in a point that is not found yet. First comes v_A.');
+    await choose('try-name', 'v_A');
     await choose('try-direction', '∥ O₂A');
-    assert.equal(await check(), 'The direction is wrong.');
+    assert.equal(await judge(), 'The direction is wrong: v_A is ⟂ O₂A, and this line is 90° off.');
     await choose('try-direction', '⟂ O₂A');
-    assert.match(await check(), /too short|sense is wrong/);
+    assert.match(await judge(), /mm too short|sense is wrong/);
     // Along the direction by keys, too far, and to the other side.
     await see(`document.querySelector('.student .handle').focus()`);
     const press = async (key, times) => {
@@ -715,11 +741,13 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
         }
     };
     await press('ArrowRight', 40);
-    assert.match(await check(), /too long/);
+    const tooLong = await judge(), drawn = parseFloat(await see('document.getElementById("try-length").textContent'));
+    assert.match(tooLong, /^Direction and sense are right, but by the scale it is \S+ mm too long\.$/);
+    assert.ok(Math.abs(parseFloat(tooLong.match(/is (\S+) mm/)[1]) - (drawn - 100.53)) < 0.6, `${tooLong} ${drawn}`);
     await press('ArrowLeft', 60);
-    assert.match(await check(), /sense is wrong/);
+    assert.equal(await judge(), 'The direction of v_A is right, its sense is wrong.');
     await see('document.getElementById("try-hint").click()');
-    assert.match(await see(said), /normal to O2A/);
+    assert.match(await see(verdict), /normal to O2A/);
     // By hand, to its end; begun anew, so that the end is on the screen.
     await choose('try-point', 'oᵥ');
     const [from, to] = await see(`(() => {
@@ -731,22 +759,99 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
     await tab.mouse.down();
     await tab.mouse.move(...to);
     await tab.mouse.up();
-    assert.match(await check(), /^Right/);
+    assert.match(await judge(), /^Right/);
     assert.equal(await see(score), 'Score 0.5 of 3');
-    assert.equal(await seen(6), true);
-    // The line of v_BA begins in a.
+    assert.equal(await isSeen(6), true);
+    // The line of v_BA begins in a; the line of v_B is not it. Either may come first.
+    await choose('try-point', 'oᵥ');
     await choose('try-direction', '⟂ AB');
-    assert.equal(await check(), 'It begins in the wrong point.');
-    await choose('try-point', 'a');
-    assert.match(await check(), /^Right/);
+    assert.equal(await judge(), 'It goes through the wrong point: the line of v_BA does not begin in oᵥ.');
     await choose('try-direction', '⟂ BO₄');
-    assert.equal(await check(), 'The polygon is complete.');
-    assert.equal(await see(score), 'Score 2 of 3');
+    assert.equal(await judge(), 'This is the line of v_B, not the line of v_BA.');
+    await choose('try-name', 'the line of v_B');
+    await choose('try-direction', '⟂ BO₄');
+    assert.match(await judge(), /^Right/);
+    assert.equal(await isSeen(7), false);
+    await choose('try-point', 'a');
+    await choose('try-direction', '⟂ AB');
+    await press('ArrowDown', 4);
+    assert.equal(await judge(), 'The polygon is complete.');
+    assert.equal(await isSeen(7), true);
+    assert.equal(await see(score), 'Score 2.5 of 3');
+    const report = await see('[...document.querySelectorAll("#report tr")].map((row) => [...row.cells].map(({textContent}) => textContent))');
+    assert.equal(report.length, 5);
+    assert.deepEqual(report[1].filter((_, i) => i !== 3), ['v_A', '5', '1', '0.5']);
+    assert.equal(report[4][4], '2.5');
     await see('kinegraph.setLanguage("it")');
-    assert.equal(await see(score), 'Punti 2 su 3');
-    await see('kinegraph.setLanguage("en"), document.getElementById("try").click()');
-    assert.equal(await see('document.querySelectorAll(".student, svg .later, li.later, .trying").length'), 0);
+    assert.equal(await see(score), 'Punti 2,5 su 3');
+    await see('kinegraph.setLanguage("en"), document.getElementById("mode-move").click()');
+    assert.equal(await see('document.querySelectorAll(".student, svg .later").length'), 0);
     assert.equal(await see('performance.getEntriesByType("resource").length'), 0);
+    quiet();
+});
+
+test('an early error of 5 mm, carried through correct lines, costs once', async () => {
+    await begin('four_bar');
+    const found = await see(`(() => {
+        const {exercise} = kinegraph, said = [], text = () => document.getElementById('try-verdict').textContent;
+        const draw = (task, by) => {
+            exercise.choosePoint();
+            const place = exercise.pointsKnown(exercise.view).findIndex((each) => apart(each.at, task.from) < 0.02);
+            document.getElementById('try-point').value = String(place);
+            exercise.choosePoint();
+            exercise.drag(along(task.from, 1, by));
+            exercise.check();
+            said.push(text());
+        };
+        const [first] = exercise.tasks, right = exercise.tasks[1].from;
+        draw(first, scaledBy(1 + 5 / Math.hypot(first.by.x, first.by.y), first.by));
+        document.getElementById('try-keep').click();
+        const moved = apart(exercise.tasks[1].from, right), bA = exercise.view.vector('v_BA');
+        for (const i of [1, 2]) draw(exercise.tasks[i], scaledBy(20, exercise.tasks[i].by));
+        // The polygon that stands there is the student's, and closes.
+        const [o, b] = exercise.view.vector('v_B');
+        return {said, moved, points: exercise.points, open: apart(bA[1], b)};
+    })()`);
+    assert.match(found.said[0], /it is 5 mm too long/);
+    assert.equal(found.said[1], 'It agrees with what you have drawn. Now the next one.');
+    assert.ok(Math.abs(found.moved - 5) < 1e-6, String(found.moved));
+    assert.ok(found.open < 1e-6);
+    assert.deepEqual(found.points, [0, 1, 1]);
+    // Afterwards the figure is the sheet's again.
+    assert.equal(await see(`kinegraph.setMode('steps'), kinegraph.motion.isOwn`), false);
+    quiet();
+});
+
+test('a whole exercise is done by the keyboard alone', async () => {
+    await begin('four_bar');
+    const active = () => see('document.activeElement.id || document.activeElement.getAttribute("class")');
+    const reach = async (id) => {
+        for (let i = 0; i < 60 && await active() !== id; ++i) await tab.keyboard.press('Tab');
+        assert.equal(await active(), id);
+    };
+    const pick = async (id, text) => {
+        await reach(id);
+        for (let i = 0; i < 20; ++i) {
+            if (await see(`document.getElementById('${id}').selectedOptions[0].text`) === text) return;
+            await tab.keyboard.press('ArrowDown');
+        }
+        assert.fail(`${text} is not in ${id}`);
+    };
+    await pick('try-direction', '⟂ O₂A');
+    await reach('handle');
+    const length = async () => parseFloat(await see('document.getElementById("try-length").textContent'));
+    for (let i = 0; i < 60 && await length() < 96; ++i) await tab.keyboard.press('Shift+ArrowRight');
+    for (let i = 0; i < 60 && await length() < 100.4; ++i) await tab.keyboard.press('ArrowRight');
+    await tab.keyboard.press('Enter');
+    assert.match(await see(verdict), /^Right/);
+    for (const [point, direction] of [['a', '⟂ AB'], ['oᵥ', '⟂ BO₄']]) {
+        await pick('try-point', point);
+        await pick('try-direction', direction);
+        await reach('try-check');
+        await tab.keyboard.press('Enter');
+    }
+    assert.equal(await see(verdict), 'The polygon is complete.');
+    assert.equal(await see(score), 'Score 3 of 3');
     quiet();
 });
 
@@ -755,10 +860,11 @@ for (const name of ['exam_2001', 'watt_six_bar', 'quick_return', 'slider_crank',
         await open(pageOf(name));
         const done = await see(`(() => {
             const {exercise} = kinegraph, counts = [];
-            exercise.begin();
+            kinegraph.setMode('try');
             for (const view of exercise.polygons) {
                 exercise.take(view.id);
                 for (const task of exercise.tasks) {
+                    document.getElementById('try-name').onchange();
                     const points = exercise.pointsKnown(exercise.view),
                         place = points.findIndex((each) => apart(each.at, task.from) < 0.02);
                     document.getElementById('try-point').value = String(place);
@@ -778,12 +884,13 @@ for (const name of ['exam_2001', 'watt_six_bar', 'quick_return', 'slider_crank',
 }
 
 test('speaks both languages', async () => {
+    await openToRead(pageOf('four_bar'));
     const [english, italian] = await see(`['en', 'it'].map((language) => {
         kinegraph.setLanguage(language);
         return document.getElementById('next').textContent + kinegraph.says[0].textContent + document.documentElement.lang;
     })`);
-    assert.match(english, /^Next step.*en$/);
-    assert.match(italian, /^Passo successivo.*it$/);
+    assert.match(english, /^Next.*en$/);
+    assert.match(italian, /^Avanti.*it$/);
     quiet();
 });
 
@@ -801,13 +908,14 @@ test('figures have names for those who hear them, and no id comes twice', async 
 test('axe finds nothing', async () => {
     const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');  // tests/run installs it
     const states = [
-        ['exam_2001', {dark: false, width: 390}, ''], ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'],
-        ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
-        ['four_bar', {dark: true, width: 390},
-            'kinegraph.moveTo(1), document.getElementById("givens").open = true, document.getElementById("values").click()'],
+        ['exam_2001', {dark: false, width: 390}, ''], ['four_bar', {dark: false}, 'kinegraph.setMode("try")'],
+        ['four_bar', {dark: true}, 'kinegraph.showStep(6), kinegraph.ruler.turn(true)'], ['four_bar', {dark: true}, 'kinegraph.hall.turn(true)'],
+        ['four_bar', {dark: true, width: 390}, 'kinegraph.moveTo(1), kinegraph.setMode("given"), document.getElementById("values").click()'],
+        ['four_bar', {dark: false, width: 195, height: 422}, 'document.getElementById("menu-button").click()'],
+        ['sluice_gate', {dark: true}, 'kinegraph.setMode("results")'], ['exam_2001', {dark: false}, 'kinegraph.setMode("move")'],
     ];
     for (const [name, options, act] of states) {
-        await open(pageOf(name), options);
+        await openToRead(pageOf(name), options);
         await see(act || '0');
         await see(axe);
         const found = await see(`axe.run(document, {resultTypes: ['violations']}).then(({violations}) =>

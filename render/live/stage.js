@@ -1,0 +1,268 @@
+// The stage: which figures are shown, and where. A figure belongs to a layer (centres, velocities, forces ...), which
+// the reader or the step turns on. Drawings of the mechanism share one place: the first is shown as it is, the others
+// are laid on it without what both show.
+
+/** Layers by the names of their figures, in the order in which they are offered. */
+const layerPatterns = /** @type {[string, RegExp][]} */ ([
+    ['centres', /^centres$/], ['velocities', /^velocit/], ['accelerations', /^acceleration/], ['curvature',
+        /^curvature-/],
+    ['forces', /^(lines-of-action|forces|truss|cremona|closure$)/], ['bodies', /^(body|pin)-/], ['lever',
+        /^joukowsky$/],
+]);
+/** Figures that are drawings of the whole mechanism. */
+const ofMechanism = /^(mechanism|centres|velocities|lines-of-action|truss)$|^curvature-/;
+/** A figure is not shown lower than this, px; then the stage scrolls. Figures of steps share what there is. */
+const leastHeight = 150;
+/** Area for each figure of a step, px²; with less only the one that shows the step is there. */
+const leastRoom = 36000;
+
+/** @param {string} name of a figure */
+function layerOf(name) {
+    return name === 'mechanism' ? '' : layerPatterns.find(([, pattern]) => pattern.test(name))?.[0] ?? 'others';
+}
+
+class Stage {
+    /** @param {Page} page */
+    constructor(page) {
+        this.page = page;
+        const all = this.allFigures().map(({name}) => layerOf(name));
+        /** Layers that there are. */
+        this.layers = [...layerPatterns.map(([layer]) => layer), 'others'].filter((layer) => all.includes(layer));
+        const first = ['velocities', 'accelerations'].filter((layer) => this.layers.includes(layer));
+        const next = this.layers.includes('forces') ? ['forces'] : this.layers;
+        /** Layers that the reader has turned on. */
+        this.chosen = new Set(first.length > 0 ? first : next);
+        /**
+         * Figures of the step; null: there is none.
+         * @type {Set<string> | null}
+         */
+        this.ofStep = null;
+        /**
+         * Layers that the reader has added to the step, or taken from it.
+         * @type {Map<string, boolean>}
+         */
+        this.turned = new Map();
+        /** @type {Element[]} */
+        this.shown = [];
+        /**
+         * Drawings that are laid on each other, the lowest first.
+         * @type {Element[]}
+         */
+        this.stacked = [];
+        this.isApart = false;
+    }
+    wire() {
+        const watcher = new ResizeObserver(() => this.layOut());
+        for (const sheet of this.page.sheets) watcher.observe(/** @type {Element} */ (sheet.querySelector('.figures')));
+        window.addEventListener('beforeprint', () => this.setApart(true));
+        window.addEventListener('afterprint', () => this.setApart(false));
+        document.addEventListener('languagechosen', () => this.showChips());
+    }
+    /** The figures of the current sheet. */
+    allFigures() {
+        return [...this.page.sheet.querySelectorAll('.figures > figure')].map((node) =>
+            ({node: /** @type {HTMLElement} */ (node), name: node.getAttribute('data-figure-name') ?? 'plot'}));
+    }
+    /** @param {string} layer */
+    isOn(layer) {
+        if (!this.ofStep) return this.chosen.has(layer);
+        const shows = [...this.ofStep].some((name) => layerOf(name) === layer);
+        return this.turned.get(layer) ?? shows;
+    }
+    /** @param {string} layer */
+    turn(layer) {
+        const isOn = !this.isOn(layer);
+        if (this.ofStep) this.turned.set(layer, isOn);
+        else if (isOn) this.chosen.add(layer);
+        else this.chosen.delete(layer);
+        this.show();
+    }
+    /**
+     * All figures, each by itself, as on paper.
+     * @param {boolean} isApart
+     */
+    setApart(isApart) {
+        this.isApart = isApart;
+        this.show();
+    }
+    /** @param {Set<string> | null} figures of a step, by name */
+    take(figures) {
+        const isSame = figures && this.ofStep && [...figures].join() === [...this.ofStep].join();
+        this.ofStep = figures;
+        if (!isSame) this.turned.clear();
+        this.show();
+    }
+    /** @param {string} name */
+    isShown(name) {
+        const {page, ofStep} = this, layer = layerOf(name);
+        if (this.isApart) return true;
+        if (name === 'plot') return page.mode === 'move';
+        if (page.mode === 'try') return name === 'mechanism' || name === page.exercise.view?.info.name;
+        if (!ofStep) return layer === '' || this.chosen.has(layer);
+        if (layer === '') return true;
+        return this.turned.get(layer) ?? ofStep.has(name);
+    }
+
+    /** Shows the figures, and brings those that were hidden to the position. */
+    show() {
+        const {page} = this, all = this.allFigures();
+        for (const {node, name} of all) node.classList.toggle('shown', this.isShown(name));
+        if (!this.isApart) this.showMechanism(all);
+        const shown = all.filter(({node}) => node.matches('.shown'));
+        this.shown = [true, false].flatMap((isFirst) =>
+            shown.filter(({name}) => ofMechanism.test(name) === isFirst).map(({node}) => node));
+        this.showChips();
+        this.stack(all);
+        this.layOut();
+        page.show();
+    }
+    /**
+     * The bare mechanism stands alone or under a layer that does not name its points.
+     * @param {{node: HTMLElement, name: string}[]} all
+     */
+    showMechanism(all) {
+        const bare = all.find(({name}) => name === 'mechanism')?.node, known = new Set(bare ? labelsOf(bare) : []);
+        const over = all.filter(({node, name}) => node !== bare && ofMechanism.test(name) && node.matches('.shown'));
+        const names = over.some(({node}) => labelsOf(node).filter((label) =>
+            known.has(label)).length >= known.size / 2);
+        bare?.classList.toggle('shown', over.length === 0 || (!names && this.infoOf(bare).places !== undefined));
+    }
+    showChips() {
+        const {page, layers} = this, place = page.at('layers');
+        if (place.childElementCount !== layers.length) {
+            place.textContent = '';
+            for (const layer of layers.length > 1 ? layers : []) {
+                const chip = place.appendChild(document.createElement('button'));
+                Object.assign(chip, {type: 'button', onclick: () => this.turn(layer)});
+            }
+        }
+        [...place.children].forEach((chip, i) => {
+            chip.textContent = page.word(`layer_${layers[i]}`);
+            chip.setAttribute('aria-pressed', String(this.isOn(layers[i])));
+        });
+    }
+
+    // --- drawings of the mechanism on each other ---------------------------------------------------------------------
+
+    /** @param {{node: HTMLElement, name: string}[]} all */
+    stack(all) {
+        const drawings = all.filter(({node, name}) => ofMechanism.test(name) && node.matches('.shown'));
+        const placed = this.isApart ? [] : drawings.filter(({node}) => this.infoOf(node).places);
+        this.stacked = placed.length > 1 ? placed.map(({node}) => node) : [];
+        const known = new Set(this.stacked.length > 0 ? labelsOf(this.stacked[0]) : []);
+        for (const {node} of all) {
+            const isOver = this.stacked.indexOf(node) > 0;
+            node.classList.toggle('overlay', isOver);
+            if (!isOver) continue;
+            // Names that the drawing below has, and its scale bar.
+            for (const label of node.querySelectorAll('g.label'))
+                label.classList.toggle('twin', known.has(label.getAttribute('data-label')));
+            for (const bar of node.querySelectorAll('svg > g.text, svg > path, svg > rect')) bar.classList.add('twin');
+        }
+        for (const {node} of all) this.fitOverlay(node);
+    }
+    /**
+     * @param {Element} node
+     * @returns {FigureInfo}
+     */
+    infoOf(node) {
+        const {page} = this;
+        return page.data.figures[page.language][this.allFigures().findIndex((each) => each.node === node)];
+    }
+    /**
+     * The area of a drawing: its own, and if it is laid on others the common one. Call when areas have changed.
+     * @param {Element} node
+     */
+    fitOverlay(node) {
+        const {stacked} = this, svg = node.querySelector('svg.drawing');
+        if (!svg || (!stacked.includes(node) && !svg.matches('.fitted'))) return;
+        const own = this.areaOf(node);
+        svg.classList.toggle('fitted', stacked.includes(node));
+        if (!stacked.includes(node)) return svg.setAttribute('viewBox', own.join(' '));
+        const {origin, places = 1} = this.infoOf(node);
+        const areas = stacked.map((other) => {
+            const info = this.infoOf(other), [x, y, width, height] = this.areaOf(other),
+                k = (info.places ?? 1) / places;
+            const left = origin[0] + (x - info.origin[0]) * k, top = origin[1] + (y - info.origin[1]) * k;
+            return [{x: left, y: top}, {x: left + width * k, y: top + height * k}];
+        });
+        const {left, right, top, bottom} = boxOf(areas.flat());
+        svg.setAttribute('viewBox', [left, top, right - left, bottom - top].map((each) => each.toFixed(3)).join(' '));
+    }
+    /**
+     * Left, top, width, height in mm, without other drawings.
+     * @param {Element} node
+     */
+    areaOf(node) {
+        const svg = /** @type {SVGSVGElement} */ (node.querySelector('svg.drawing'));
+        svg.dataset.area ??= svg.getAttribute('viewBox') ?? '';
+        return this.page.figures.find((view) => view.svg === svg)?.shownRoom ?? svg.dataset.area.split(' ').map(Number);
+    }
+
+    // --- places ------------------------------------------------------------------------------------------------------
+
+    /** Columns and rows in which the figures are largest. */
+    layOut() {
+        const place = /** @type {HTMLElement} */ (this.page.sheet.querySelector('.figures'));
+        const over = this.shown.filter((node) => node.matches('.overlay')),
+            all = this.shown.filter((node) => !over.includes(node));
+        if (all.length === 0 || place.clientWidth === 0) return;
+        // A small screen has room for the figure of the step only.
+        const isCrowded = this.ofStep !== null && place.clientWidth * place.clientHeight < leastRoom * all.length;
+        const isMain = (/** @type {Element} */ node) => node.matches('[data-shows]');
+        const main = this.stacked.some(isMain) ? this.stacked : this.shown.filter(isMain);
+        for (const {node} of this.allFigures()) node.classList.toggle('aside', isCrowded && !main.includes(node));
+        const cells = isCrowded ? all.filter((node) => main.includes(node)) : all;
+        const shapes = cells.map((node) => {
+            const area = node.querySelector('svg')?.getAttribute('viewBox') ?? '';
+            const [, , width, height] = area.split(' ').map(Number);
+            return {width, height,
+                caption: /** @type {HTMLElement | null} */ (node.querySelector('figcaption'))?.offsetHeight ?? 0};
+        });
+        const least = this.page.mode === 'steps' && this.ofStep ? 0 : leastHeight;
+        const columns = mostRoomy(shapes, place.clientWidth - 24, place.clientHeight - 8, least);
+        const rows = Math.ceil(cells.length / columns);
+        const inOne = (/** @type {(shape: {width: number, height: number}) => number} */ part) =>
+            shapes.map((shape) => Math.min(Math.max(part(shape), 0.5), 2.5));
+        const wide = rows > 1 ? Array(columns).fill(1) : inOne(({width, height}) => width / height);
+        const tall = columns > 1 ? Array(rows).fill(1) : inOne(({width, height}) => height / width);
+        place.style.gridTemplateColumns = wide.map((part) => `minmax(0, ${(100 * part).toFixed()}fr)`).join(' ');
+        place.style.gridTemplateRows = tall.map((part) =>
+            `minmax(${least}px, ${(100 * part).toFixed()}fr) auto`).join(' ');
+        const put = (/** @type {Element} */ node, /** @type {number} */ i) => {
+            /** @type {HTMLElement} */ (node).style.gridArea =
+                `${2 * Math.floor(i / columns) + 1} / ${i % columns + 1} / span 2 / span 1`;
+        };
+        cells.forEach(put);
+        for (const node of over) put(node, cells.indexOf(this.stacked[0]));
+        // So that keys can scroll it.
+        if (place.scrollHeight > place.clientHeight + 1) place.tabIndex = 0;
+        else place.removeAttribute('tabindex');
+    }
+}
+
+/** @param {Element} drawing */
+function labelsOf(drawing) {
+    return [...drawing.querySelectorAll('g.label')].map((label) => label.getAttribute('data-label'));
+}
+
+/**
+ * The number of columns with which figures of these shapes are largest, in the mean of their logarithms.
+ * @param {{width: number, height: number, caption: number}[]} shapes
+ * @param {number} width
+ * @param {number} height
+ * @param {number} least height of a figure
+ */
+function mostRoomy(shapes, width, height, least) {
+    let best = 1, most = -Infinity;
+    for (let columns = 1; columns <= shapes.length; ++columns) {
+        const rows = Math.ceil(shapes.length / columns);
+        const sizes = shapes.map((shape) => {
+            const tall = Math.max(height / rows - shape.caption, least, 1);
+            return Math.log(Math.min(width / columns / shape.width, tall / shape.height));
+        });
+        const size = total(sizes);
+        if (size > most) [best, most] = [columns, size];
+    }
+    return best;
+}
