@@ -4,12 +4,17 @@ function(literal out text)
     if(text MATCHES "\\)live\"")
         message(FATAL_ERROR "a file of ${SOURCE} holds )live\", which would end the literal")
     endif()
-    set(${out} "R\"live(${text})live\"" PARENT_SCOPE)
+    set(${out} "R\"live(${text})live\"sv" PARENT_SCOPE)
 endfunction()
 
 set(script)
-foreach(name types closure replay given motion room figures bindings measure tasks report exercise traces panel tell rooms drag drive stage steps hall page)
+set(modules types closure guards replay given motion path room marks paper area arrow_binder line_binder label_binder
+    link_binder ground_binder held_marks held_shapes held_binder figures measure tasks report choices pen exercise plot
+    traces panel tell rooms drag drive stage steps hall keys page main)
+foreach(name ${modules})
     file(READ ${SOURCE}/${name}.js text)
+    string(REGEX REPLACE "(^|\n)import [^;]*;" "\\1" text "${text}")
+    string(REGEX REPLACE "\nexport ({};|)" "\n" text "${text}")
     if(text MATCHES "</script")
         message(FATAL_ERROR "${name}.js would end the element that it stands in")
     endif()
@@ -26,6 +31,8 @@ file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
 #include \"render/live/live_page.hpp\"
 
 namespace kinegraph::render {
+
+using std::string_view_literals::operator\"\"sv;  // which knows its length: counting takes a compiler too long
 
 constinit const std::string_view live_script =${script};
 constinit const std::string_view live_watch_script = ${watch};

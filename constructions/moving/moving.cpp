@@ -137,6 +137,12 @@ public:
         moving_.size = pose_.size.to_double();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
         moving_.settings = rules_.settings();
+        for (MovingSetting& each : moving_.settings) {
+            const bool is_speed = each.kind == MovingSetting::Kind::velocity;
+            if (!is_speed && each.kind != MovingSetting::Kind::acceleration) continue;
+            if (static_cast<std::size_t>(each.of) < rereading.rates.size())
+                each.written_unit = rereading.rates[static_cast<std::size_t>(each.of)][is_speed ? 0 : 1];
+        }
         for (MovingSetting& length : lengths_of(mechanism_, pose_)) moving_.settings.push_back(std::move(length));
         add_parameters(moving_, mechanism_, pose_, rereading);
         return std::move(moving_);

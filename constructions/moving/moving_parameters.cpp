@@ -625,9 +625,27 @@ std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& po
     return lengths;
 }
 
+namespace {
+std::vector<std::array<std::string, 2>> written_rates(const JsonValue& drivers) {
+    std::vector<std::array<std::string, 2>> rates;
+    if (!drivers || !drivers.is_array()) return rates;
+    for (const JsonValue driver : drivers) {
+        std::array<std::string, 2>& units = rates.emplace_back();
+        if (!driver.is_object()) continue;
+        for (const auto& [key, place] : {std::pair{"omega", 0U}, {"speed", 0U}, {"alpha", 1U}, {"acceleration", 1U}}) {
+            const JsonValue value = driver[key];
+            const auto found = value ? written(key, value.text()) : std::nullopt;
+            if (found && unit_spelt(found->unit) != nullptr) units[place] = found->unit;
+        }
+    }
+    return rates;
+}
+}  // namespace
+
 Rereading rereading_of(std::string text, std::string source, std::vector<Setting> set) {
     Rereading rereading;
     const auto file = JsonSource::read(text);
+    if (file) rereading.rates = written_rates(file->root()["drivers"]);
     const JsonValue parameters = file ? file->root()["parameters"] : JsonValue{};
     if (!parameters || !parameters.is_object()) return rereading;
     for (const JsonValue each : parameters) {

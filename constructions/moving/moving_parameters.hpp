@@ -2,6 +2,7 @@
 // depend on them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -21,8 +22,11 @@ struct WrittenParameter {
     std::string unit;
 };
 
-/// A function that reads the file again with other values of its parameters.
+/// What a file writes that the mechanism does not keep, and a function that reads the file again with other values of
+/// its parameters.
 struct Rereading {
+    /// By driver: the units of its speed and of its acceleration ("rpm"); empty: of the file, or a formula.
+    std::vector<std::array<std::string, 2>> rates;
     std::vector<WrittenParameter> parameters;
     std::function<Result<Mechanism>(std::span<const Setting>)> read;
 };

@@ -113,7 +113,8 @@ struct MovingSetting {
     std::string name;
     QuantityKind unit = QuantityKind::angular_velocity;
     double value = 0;               ///< SI, as given; of a parameter in `written_unit`
-    std::string written_unit = {};  ///< of a parameter, as the file writes it: "mm"; of a bare number empty
+    /// Of a parameter and of a rate, as the file writes it: "mm", "rpm"; of a bare number empty.
+    std::string written_unit = {};
     std::array<PointIndex, 2> ends{};
     double radians = 0;  ///< for a parameter that is an angle: size of its written unit, rad; else 0
 };

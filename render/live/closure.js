@@ -1,6 +1,11 @@
 // Closes the joints in the browser: Newton's method on the closure equations, as in engine/motion/positions.cpp,
 // started near a sample of the cycle. Knows no construction and no figure.
 
+/** @typedef {import('./types.js').JointRule} JointRule */
+/** @typedef {import('./types.js').MovingData} MovingData */
+/** @typedef {import('./types.js').Row} Row */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /**
  * The direction turned by `facing`: the product as complex numbers.
  * @param {Spot} facing
@@ -16,7 +21,7 @@ function faced(facing, x, y) {
  * @param {Spot} a
  * @returns {Spot}
  */
-function quarterTurn(a) {
+export function quarterTurn(a) {
     return {x: -a.y, y: a.x};
 }
 
@@ -24,7 +29,7 @@ function quarterTurn(a) {
  * @param {Spot} a
  * @param {Spot} b
  */
-function dot(a, b) {
+export function dot(a, b) {
     return a.x * b.x + a.y * b.y;
 }
 
@@ -32,15 +37,15 @@ function dot(a, b) {
  * @param {Spot} a
  * @returns {Spot}
  */
-function unitOf(a) {
+export function unitOf(a) {
     const size = Math.hypot(a.x, a.y);
     return {x: a.x / size, y: a.y / size};
 }
 
-const together = 0, onLine = 1, atDistance = 2, turnsAlike = 3, rollsRound = 4;
+export const together = 0, onLine = 1, atDistance = 2, turnsAlike = 3, rollsRound = 4;
 
 /** The positions of the bodies, closed at any coordinate of a driver. */
-class Places {
+export class Places {
     /** @param {MovingData} data */
     constructor(data) {
         this.data = data;

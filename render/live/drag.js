@@ -1,6 +1,13 @@
 // Dragging a moving point: the mechanism goes to the position in which the point is nearest to the pointer.
 
-class Dragging {
+import {dot} from './closure.js';
+import {along, apart, minus} from './path.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./motion.js').Motion} Motion */
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./types.js').Spot} Spot */
+
+export class Dragging {
     /**
      * @param {Page} page
      * @param {SVGSVGElement} svg

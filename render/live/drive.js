@@ -1,6 +1,16 @@
 // Moving the mechanism: the driver, its slider, play, stops. Shows what depends on the position.
 
-class Drive {
+import {Dragging} from './drag.js';
+import {unscored} from './exercise.js';
+import {Rooms} from './rooms.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./motion.js').Motion} Motion */
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./paper.js').Names} Names */
+/** @typedef {import('./types.js').Course} Course */
+/** @typedef {import('./types.js').Spot} Spot */
+
+export class Drive {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
@@ -66,7 +76,8 @@ class Drive {
         const {course} = this, position = this.page.at('position');
         this.shownWay = course;
         this.rooms.clear();
-        for (const view of this.page.figures) view.travels.forEach((travel) => Object.assign(travel, {from: 0, to: 0}));
+        for (const view of this.page.figures) view.ground.travels.forEach((travel) => Object.assign(travel,
+            {from: 0, to: 0}));
         position.min = String(course.samples[0].at);
         position.max = String(course.samples[course.samples.length - 1].at);
         position.setAttribute('aria-label', `${this.page.word('position')}: ${course.name}`);
@@ -144,6 +155,20 @@ class Drive {
         if (course.byLaw) return `${written(at, 3)} s`;
         return course.turns ? `${written(at * 180 / Math.PI, 2)}°` : `${written(at * 1000, 2)} mm`;
     }
+    /**
+     * The angle of the crank, "φ₂ = 120°", beside its turn from the drawn position; of other drivers none.
+     * @param {Motion} motion
+     */
+    angleText(motion) {
+        const {page, course} = this,
+            body = page.data.names.bodies.findIndex((/** @type {Names['bodies'][0]} */ {label}) =>
+            label === course.name);
+        const index = motion.data.columns.findIndex((column) => column.kind === 'angle' && column.body === body);
+        const value = index < 0 || !course.turns ? null : motion.value(index);
+        if (value === null) return '';
+        const {symbol, name, size, unit} = motion.data.columns[index];
+        return `${unscored(symbol || name)} = ${page.numberText(Number((value / size).toFixed(2)))}${unit}`;
+    }
     /** Updates all that depends on the position. */
     show() {
         const {motion} = this;
@@ -152,6 +177,7 @@ class Drive {
         if (course !== this.shownWay) this.showWay();
         this.page.at('position').value = String(motion.at);
         this.page.at('where').textContent = this.positionText(motion.at);
+        this.page.at('angle').textContent = this.angleText(motion);
         const isNear = (/** @type {number} */ at) =>
             Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
         const atLimit =
@@ -204,9 +230,9 @@ class Drive {
         view.held?.take(this.page.at('fit').checked && !motion.isOwn);
         // Polygons of one drawing have one scale.
         const together = fits ? this.page.figures.filter(({svg}) => svg === view.svg) : [];
-        const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
-        view.placeCompanions(fits);
-        view.follow(motion.isOwn ? view.viewBox : fits ? view.fitRoom : this.rooms.of(view), to);
+        const to = fits ? view.area.fitted(Math.max(...together.map((each) => each.area.shrinkage()))) : undefined;
+        view.area.placeCompanions(fits);
+        view.follow(motion.isOwn ? view.viewBox : fits ? view.area.fitRoom : this.rooms.of(view), to);
         this.sayScale(view);
     }
     /** @param {FigureView} view */

@@ -2,9 +2,22 @@
 // sense and length. Each is judged by what the student's own earlier lines imply. Only in the drawn position, one
 // polygon at a time. Nothing is sent.
 
-/** @typedef {{name: string, along: Spot}} Direction a unit vector on paper */
+import {Choices} from './choices.js';
+import {dot, quarterTurn, unitOf} from './closure.js';
+import {drawn, putLine, takeAway} from './measure.js';
+import {along, apart, minus} from './path.js';
+import {Pen} from './pen.js';
+import {Report} from './report.js';
+import {total} from './room.js';
+import {spoken} from './steps.js';
+import {faultOf, leadingTo, pencil, tasksOf} from './tasks.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./report.js').Done} Done */
+/** @typedef {import('./tasks.js').Fault} Fault */
+/** @typedef {import('./tasks.js').Task} Task */
 
-class Exercise {
+export class Exercise {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
@@ -26,17 +39,16 @@ class Exercise {
         this.own = new Map();
         /** @type {Element | null} */
         this.group = null;
-        /** @type {Handle | null} */
-        this.handle = null;
-        this.from = {x: 0, y: 0};
+        this.pen = new Pen(this);
+        this.choices = new Choices(this);
         this.report = new Report(page);
     }
     wire() {
         const {page} = this;
         page.at('try-figure').onchange = () => this.take(page.at('try-figure').value);
         page.at('try-name').onchange = () => this.choose(Number(page.at('try-name').value));
-        page.at('try-point').onchange = () => this.choosePoint();
-        page.at('try-direction').onchange = () => this.aim();
+        page.at('try-point').onchange = () => this.pen.choosePoint();
+        page.at('try-direction').onchange = () => this.pen.aim();
         page.at('try-check').onclick = () => this.check();
         page.at('try-hint').onclick = () => this.hint();
         page.at('try-show').onclick = () => this.finish(0, 'shown');
@@ -90,7 +102,6 @@ class Exercise {
     get points() {
         return [...this.done.values()].map(({points}) => points);
     }
-
     begin() {
         const {page} = this;
         page.pause();
@@ -126,11 +137,8 @@ class Exercise {
     }
     clear() {
         for (const node of document.querySelectorAll('g.student')) takeAway(node);
-        this.group = this.handle = null;
+        this.group = this.pen.handle = null;
     }
-
-    // --- the page ----------------------------------------------------------------------------------------------------
-
     /** Shows the page before the next line. */
     refresh() {
         const {page} = this;
@@ -160,10 +168,10 @@ class Exercise {
         }
         fill(page.at('try-name'), tasks.flatMap((each, i) => this.done.has(i) ? [] : [[String(i),
             this.nameOf(each)]]), String(this.now));
-        fill(page.at('try-point'), this.pointsKnown(view).map(({name}, i) => [String(i), name]), '0');
-        const directions = this.directions().map(({name}, i) => [String(i), name]);
+        fill(page.at('try-point'), this.choices.pointsKnown(view).map(({name}, i) => [String(i), name]), '0');
+        const directions = this.choices.directions().map(({name}, i) => [String(i), name]);
         fill(page.at('try-direction'), [['', page.word('by_hand')], ...directions], '');
-        this.layLine(view);
+        this.pen.layLine(view);
     }
     /**
      * Of a statement the strokes are there when all of its lines are drawn; without lines of its own, when those before
@@ -174,7 +182,8 @@ class Exercise {
         const open = tasks.filter((_, i) => !this.done.has(i)).map(({statement}) => statement),
             first = Math.min(Infinity, ...open);
         const own = new Set(tasks.map(({statement}) => statement));
-        this.page.hideStatements((statement) => own.has(statement) ? open.includes(statement) : statement > first);
+        this.page.steps.hideStatements((statement) => own.has(statement) ? open.includes(statement) :
+            statement > first);
     }
     /** @param {Task} task */
     nameOf({kind, name}) {
@@ -191,46 +200,6 @@ class Exercise {
         const {width} = view.svg.viewBox.baseVal;
         putLine(line, along(task.from, -width / 3, task.by), along(task.from, width / 3, task.by));
     }
-
-    // --- the choices -------------------------------------------------------------------------------------------------
-
-    /**
-     * Vertices that are there, the pole first.
-     * @param {FigureView} view
-     * @returns {{name: string, at: Spot}[]}
-     */
-    pointsKnown(view) {
-        const {tasks} = this;
-        const letters = view.motion.data.plans[0].spots.filter(([figure]) => figure === view.id).flatMap(([, name]) => {
-            const at = view.spot(name);
-            return at ? [{name: unscored(name), at}] : [];
-        });
-        const drawnVectors = [...view.group.querySelectorAll(':scope > g.vector:not(.later)')].flatMap((node) => {
-            const name = node.getAttribute('data-name') ?? '', ends = view.vector(name);
-            return ends ? [{name, ends}] : [];
-        });
-        const own = tasks.filter(({kind}, i) => kind === 'vector' && this.done.has(i))
-            .map(({name, from, by}) => ({name, ends: [from, along(from, 1, by)]}));
-        const places = [
-            ...tasks.filter((each) => leadingTo(each, tasks).length === 0).map(({from}) => from),
-            ...[...drawnVectors, ...own].flatMap(({ends}) => ends),
-            ...tasks.filter((each) => this.isReady(each, tasks)).map(({from}) => from),
-        ];
-        /** @type {{name: string, at: Spot}[]} */
-        const points = [];
-        for (const at of places) {
-            if (points.some((each) => apart(each.at, at) < samePlace)) continue;
-            const letter = letters.find((each) => apart(each.at, at) < samePlace)?.name;
-            const tip = [...drawnVectors, ...own].find(({ends}) => apart(ends[1], at) < samePlace)?.name;
-            const name =
-                letter
-                ?? (tip === undefined
-                    ? this.page.word('start')
-                    : this.page.word('tip_of').replace('{0}', unscored(tip)));
-            points.push({name, at});
-        }
-        return points;
-    }
     /**
      * Whether the point in which a task begins is there.
      * @param {Task} task
@@ -239,114 +208,17 @@ class Exercise {
     isReady(task, tasks) {
         return leadingTo(task, tasks).every((each) => this.done.has(tasks.indexOf(each)));
     }
-    /**
-     * Directions along and perpendicular to the lines of the mechanism.
-     * @returns {Direction[]}
-     */
-    directions() {
-        const {page} = this, {data} = page, motion = /** @type {Motion} */ (page.motion);
-        /** @type {Direction[]} */
-        const found = [];
-        const add = (/** @type {string} */ name, /** @type {Spot} */ by) => {
-            if (Math.hypot(by.x, by.y) < 1e-9) return;
-            const e = unitOf({x: by.x, y: -by.y});
-            found.push({name: `∥ ${name}`, along: e}, {name: `⟂ ${name}`, along: quarterTurn(e)});
-        };
-        const {points, guides} = motion.read, {joints} = /** @type {Names} */ (data.names);
-        const label = (/** @type {number} */ point) => unscored(data.names.points[point].label);
-        joints.forEach((one, i) =>
-            joints.slice(i + 1).forEach((other) => {
-                if (!one.bodies.some((body) => body > 0 && other.bodies.includes(body))) return;
-                add(label(one.point) + label(other.point), minus(points[other.point], points[one.point]));
-            }),
-        );
-        joints.forEach(
-            ({point, turnsWith}, k) =>
-                turnsWith >= 0 && add(page.word('guide').replace('{0}', label(point)), guides[k]),
-        );
-        found.push(
-            {name: page.word('horizontal'), along: {x: 1, y: 0}},
-            {name: page.word('vertical'), along: {x: 0, y: 1}},
-        );
-        return found;
-    }
-
-    // --- the student's line ------------------------------------------------------------------------------------------
-
-    /** @param {FigureView} view */
-    layLine(view) {
-        const group = /** @type {Element} */ (this.group);
-        for (const {at} of this.pointsKnown(view))
-            drawn(group, 'circle', {cx: at.x.toFixed(3), cy: at.y.toFixed(3), r: 1.1, class: 'vertex'});
-        drawn(group, 'line', {class: 'own'});
-        this.handle = new Handle(group, view.svg, this.page.word('line_end'), (at) => this.drag(at));
-        this.handle.node.addEventListener('keydown', (event) => {
-            if (/** @type {KeyboardEvent} */ (event).key === 'Enter') this.check();
-        });
-        this.choosePoint();
-    }
-    choosePoint() {
-        const {view} = this;
-        if (!view || !this.handle) return;
-        const {x, y, width, height} = view.svg.viewBox.baseVal;
-        this.from = this.pointsKnown(view)[Number(this.page.at('try-point').value)].at;
-        const toward = minus({x: x + width / 2, y: y + height / 2}, this.from), far = Math.hypot(toward.x, toward.y);
-        this.handle.put(along(this.from, 10, far > 1 ? unitOf(toward) : {x: 1, y: 0}));
-        this.aim();
-    }
-    /** @returns {Spot | null} */
-    get chosenDirection() {
-        const {value} = this.page.at('try-direction');
-        return value === '' ? null : this.directions()[Number(value)].along;
-    }
-    /** Turns the line to the chosen direction; its length, and if possible its sense, stay. */
-    aim() {
-        const {handle, from} = this, e = this.chosenDirection;
-        if (!handle) return;
-        const size = Math.max(apart(handle.at, from), 10);
-        this.drag(e ? along(from, dot(minus(handle.at, from), e) < 0 ? -size : size, e) : handle.at);
-    }
-    /**
-     * Moves the end, along the chosen direction if there is one.
-     * @param {Spot} at
-     */
-    drag(at) {
-        const {page, view, handle, from} = this, e = this.chosenDirection;
-        if (!view || !handle) return;
-        handle.put(e ? along(from, dot(minus(at, from), e), e) : at);
-        putLine(/** @type {Element} */ (this.group?.querySelector('.own')), from, handle.at);
-        const written = (/** @type {number} */ value) => page.numberText(value);
-        page.at('try-length').textContent = this.tasks[this.now]?.kind === 'vector' ?
-            measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
-    }
-    /**
-     * If there is a vertex under the pointer, the line starts there.
-     * @param {SVGSVGElement} svg
-     * @param {PointerEvent} event
-     */
-    touch(svg, event) {
-        const {view} = this;
-        if (!this.isOn || view?.svg !== svg || !this.handle) return;
-        const at = spotUnder(svg, event), points = this.pointsKnown(view);
-        const near = points.findIndex((each) => apart(each.at, at) < 3);
-        if (near < 0) return;
-        this.page.at('try-point').value = String(near);
-        this.choosePoint();
-    }
-
-    // --- the verdict -------------------------------------------------------------------------------------------------
-
     check() {
-        const {page, tasks, handle} = this, task = tasks[this.now];
+        const {page, tasks} = this, {handle} = this.pen, task = tasks[this.now];
         if (!handle || !task) return;
         const missing = leadingTo(task, tasks).find((each) => !this.done.has(tasks.indexOf(each)));
         ++this.attempts;
         if (missing) return this.tell(this.filled('too_early', this.nameOf(task), this.nameOf(missing)));
-        const fault = faultOf(task, this.from, handle.at);
+        const fault = faultOf(task, this.pen.from, handle.at);
         if (fault.kind === '') return this.finish(this.attempts === 1 && this.hints === 0 ? 1 : 0.5,
             this.own.size > 0 ? 'carried' : 'right');
         const other = tasks.find((each, i) => i !== this.now && !this.done.has(i) && each.kind === task.kind &&
-            this.isReady(each, tasks) && faultOf(each, this.from, handle.at).kind === '');
+            this.isReady(each, tasks) && faultOf(each, this.pen.from, handle.at).kind === '');
         this.tell(other ? this.filled('is_other', this.nameOf(task), this.nameOf(other)) : this.sayFault(task, fault));
         page.at('try-keep').hidden = other !== undefined || this.ownElement(task) === null;
     }
@@ -359,9 +231,10 @@ class Exercise {
         const {page} = this, name = this.nameOf(task), off = page.numberText(Number(by.toFixed(by < 10 ? 1 : 0)));
         if (kind === 'not_through')
             return this.filled(kind, name,
-                this.pointsKnown(/** @type {FigureView} */ (this.view))[Number(page.at('try-point').value)].name);
+                page.at('try-point').selectedOptions[0].text);
         if (kind !== 'not_along') return this.filled(kind, kind === 'wrong_sense' ? name : off);
-        const wanted = this.directions().find(({along: e}) => Math.abs(dot(e, quarterTurn(unitOf(task.by)))) < 1e-6);
+        const wanted = this.choices.directions().find(({along: e}) => Math.abs(dot(e,
+            quarterTurn(unitOf(task.by)))) < 1e-6);
         return wanted ? this.filled(kind, name, wanted.name, off) : this.filled('off_by_angle', name, off);
     }
     /**
@@ -389,16 +262,13 @@ class Exercise {
         this.choose(Math.max(next, 0));
         if (this.done.size < tasks.length) this.tell(page.word(verdict));
     }
-
-    // --- the student's own construction ------------------------------------------------------------------------------
-
     /**
      * The element that the student's line puts elsewhere, and its value; null: the record has none.
      * @param {Task} task
      * @returns {[number, [number, number, number]] | null}
      */
     ownElement(task) {
-        const {view, handle, from} = this;
+        const {view} = this, {handle, from} = this.pen;
         if (!view || !handle) return null;
         const plan = view.drawnBy(view.motion.plan), tip = view.unpaper(handle.at), tail = view.unpaper(from);
         if (task.kind === 'vector') {
@@ -437,7 +307,7 @@ class Exercise {
  * Digits and letters as subscripts of Unicode, for plain text.
  * @param {string} name
  */
-function unscored(name) {
+export function unscored(name) {
     const lowered = /** @type {Record<string, string>} */ ({v: 'ᵥ', a: 'ₐ'});
     const low = (/** @type {string} */ each) => lowered[each] ?? '₀₁₂₃₄₅₆₇₈₉'[Number(each)];
     return name.replace(/_(\d+|[va]$)/g, (_, digits) => [...digits].map(low).join(''));
@@ -448,7 +318,7 @@ function unscored(name) {
  * @param {string[][]} options value and text
  * @param {string} chosen
  */
-function fill(list, options, chosen) {
+export function fill(list, options, chosen) {
     list.textContent = '';
     for (const [value, text] of options) list.add(new Option(text, value));
     list.value = chosen;

@@ -1,13 +1,22 @@
 // Lengths and parameters that a reader may change: updates the numbers of the closure and of the plans, and computes
 // each driver's range again, as far as the joints close. Knows no figure.
 
+import {dot, quarterTurn, together, unitOf} from './closure.js';
+import {along, apart, minus} from './path.js';
+/** @typedef {import('./closure.js').Places} Places */
+/** @typedef {import('./replay.js').Replay} Replay */
+/** @typedef {import('./types.js').Course} Course */
+/** @typedef {import('./types.js').MovingData} MovingData */
+/** @typedef {import('./types.js').Sample} Sample */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /**
  * Positions on a whole range; distance of the last one from a limit; tolerance of a start; largest error of a start of
  * Newton's method.
  */
 const stepsOfWay = 72, shortOfLimit = 1e-6, nearEnough = 0.02, farthestChange = 0.3;
 
-class Givens {
+export class Givens {
     /**
      * @param {MovingData} data
      * @param {Places} places as drawn
@@ -313,7 +322,7 @@ function shapeOf(pairs) {
  * @param {Spot} a
  * @returns {Spot}
  */
-function scaledBy(factor, a) {
+export function scaledBy(factor, a) {
     return {x: factor * a.x, y: factor * a.y};
 }
 /**

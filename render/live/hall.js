@@ -1,7 +1,9 @@
 // Hall mode: the page for a projector. Full screen, one statement in large letters, a pointer that a hall sees; the
 // strokes of the next step stand there in grey before it is taken. The style sheet does the rest.
 
-class Hall {
+/** @typedef {import('./page.js').Page} Page */
+
+export class Hall {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;

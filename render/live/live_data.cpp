@@ -197,8 +197,7 @@ private:
             .text(name_of(column.kind))
             .key("unit")
             .text(unit.symbol);
-        if (q.kind == Quantity::Kind::effort)
-            json_.key("symbol").text(plain(typeset(column, solution_.mechanism, Language::en)));
+        json_.key("symbol").text(plain(typeset(column, solution_.mechanism, Language::en)));
         json_.key("size").number(unit.si.to_double()).key("body").all(q.body).key("point").all(q.point);
         json_.key("joint").all(q.joint).key("component");
         json_.text(q.component == Quantity::Component::y   ? "y"
@@ -208,6 +207,8 @@ private:
     }
     Unit unit_of(const MovingSetting& setting) const {
         if (setting.kind == MovingSetting::Kind::parameter) return {setting.written_unit, 1};
+        if (const KnownUnit* written = unit_spelt(setting.written_unit))
+            return {std::string(written->symbol), written->si};
         if (setting.unit == QuantityKind::angular_acceleration) return {"rad/s²", 1};
         return suitable_unit(setting.value, setting.unit, solution_.mechanism.units);
     }

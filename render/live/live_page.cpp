@@ -473,11 +473,6 @@ private:
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
         return printed(as_text(equation_items(solution_, language)));
     }
-    /// The name in the file; for an input force or couple, the name on the sheet.
-    std::string title_of_column(const Column& column, Language language) const {
-        if (column.quantity.kind != Quantity::Kind::effort) return escaped(column.name);
-        return html(typeset(column, solution_.mechanism, language));
-    }
     /// The columns that follow the mechanism; the script fills in the values.
     std::string values(Language language) const {
         if (!moving_) return {};
@@ -486,7 +481,7 @@ private:
             const Column& column = moving_->columns[i];
             const Unit unit = unit_of_column(column, solution_.mechanism.units);
             rows += element("tr", "",
-                            element("th", "scope=\"row\"", title_of_column(column, language)) +
+                            element("th", "scope=\"row\"", html(typeset(column, solution_.mechanism, language))) +
                                 element("td", "data-column=\"" + std::to_string(i) + "\"", "") +
                                 element("td", "", escaped(unit.symbol)));
         }

@@ -1,6 +1,10 @@
 // Tools of the reader on a figure: ends moved by pointer or keys, a ruler, values beside vectors. Knows figures; of the
 // page only the visible figures and the words.
 
+import {along, apart} from './path.js';
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /** Step of an arrow key, and with the shift key, mm. */
 const keyStep = 0.25, longKeyStep = 5;
 
@@ -10,7 +14,7 @@ const keyStep = 0.25, longKeyStep = 5;
  * @param {string} tag
  * @param {Record<string, string | number>} attributes
  */
-function drawn(parent, tag, attributes) {
+export function drawn(parent, tag, attributes) {
     const {namespaceURI} = /** @type {Element} */ (document.querySelector('svg'));
     const node = /** @type {SVGElement} */ (document.createElementNS(namespaceURI, tag));
     for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
@@ -23,7 +27,7 @@ function drawn(parent, tag, attributes) {
  * @param {Spot} from
  * @param {Spot} to
  */
-function putLine(line, from, to) {
+export function putLine(line, from, to) {
     for (const [name, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y}))
         line.setAttribute(name, value.toFixed(3));
 }
@@ -34,7 +38,7 @@ function putLine(line, from, to) {
  * @param {MouseEvent} event
  * @returns {Spot}
  */
-function spotUnder(svg, event) {
+export function spotUnder(svg, event) {
     const matrix = svg.getScreenCTM();
     return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : {x: 0, y: 0};
 }
@@ -43,13 +47,13 @@ function spotUnder(svg, event) {
  * Removes what was laid on a figure.
  * @param {Element | null} group
  */
-function takeAway(group) {
+export function takeAway(group) {
     group?.closest('svg')?.setAttribute('role', 'img');
     group?.remove();
 }
 
 /** An end that can be dragged or moved by the arrow keys. */
-class Handle {
+export class Handle {
     /**
      * @param {Element} parent
      * @param {SVGSVGElement} svg
@@ -95,14 +99,14 @@ class Handle {
  * @param {string} unit
  * @param {(value: number) => string} written
  */
-function measured(length, scale, unit, written) {
+export function measured(length, scale, unit, written) {
     const paper = `${written(Math.round(length * 10) / 10)} mm`,
         value = Number((length * scale * (unit === 'm' ? 1000 : 1)).toPrecision(3));
     return scale > 0 && unit !== '' ? `${paper} ≙ ${written(value)} ${unit === 'm' ? 'mm' : unit}` : paper;
 }
 
 /** A ruler on one figure. Its ends snap to points of the figure. */
-class Ruler {
+export class Ruler {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
@@ -125,6 +129,16 @@ class Ruler {
     /** @returns {SVGSVGElement[]} */
     get drawings() {
         return [...this.page.sheet.querySelectorAll('.figures svg')].map((svg) => /** @type {SVGSVGElement} */ (svg));
+    }
+    /**
+     * The current scale of a figure: units of the quantity for a millimetre.
+     * @param {SVGSVGElement} svg
+     */
+    scaleOf(svg) {
+        const view = this.page.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
+        const shown = view?.scales[0];
+        return shown ? {scale: shown.now, unit: shown.unit} :
+            {scale: Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
     }
     /**
      * @param {SVGSVGElement | null} svg
@@ -151,7 +165,7 @@ class Ruler {
             return handle;
         });
         this.show = () => {
-            const [a, b] = handles.map((each) => each.at), figure = page.scaleOf(svg);
+            const [a, b] = handles.map((each) => each.at), figure = this.scaleOf(svg);
             putLine(line, a, b);
             const turn = Math.atan2(a.y - b.y, b.x - a.x) * 180 / Math.PI;
             const length = measured(apart(a, b), figure.scale, figure.unit, (value) => page.numberText(value));

@@ -1,9 +1,19 @@
 // The current position and its results: computes positions of bodies from a driver's coordinate, givens from positions,
 // replays a program with the givens, and reads the values of the columns from its elements. Knows no figure.
 
+import {dot, Places, quarterTurn, unitOf} from './closure.js';
+import {Givens} from './given.js';
+import {Replay} from './replay.js';
+/** @typedef {import('./types.js').Column} Column */
+/** @typedef {import('./types.js').Course} Course */
+/** @typedef {import('./types.js').MovingData} MovingData */
+/** @typedef {import('./types.js').MovingGiven} MovingGiven */
+/** @typedef {import('./types.js').Sample} Sample */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /** @typedef {{points: Spot[], guides: Spot[], normals: Spot[], tangents: Spot[]}} Read */
 
-class Motion {
+export class Motion {
     /** @param {MovingData} data */
     constructor(data) {
         this.data = data;
@@ -282,6 +292,6 @@ class Motion {
  * Whether the position alone determines a column.
  * @param {Column} column
  */
-function isOfPlace(column) {
+export function isOfPlace(column) {
     return ['angle', 'place_x', 'place_y', 'slid'].includes(column.kind);
 }

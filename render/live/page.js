@@ -1,9 +1,24 @@
 // The page: the sheets in its languages, the modes, the menu, the keys. Owns the motion, which all figures follow, and
 // the parts that handle the reader's input.
 
+import {Drive} from './drive.js';
+import {Exercise} from './exercise.js';
+import {FigureView} from './figures.js';
+import {Hall} from './hall.js';
+import {Keys} from './keys.js';
+import {Ruler} from './measure.js';
+import {Motion} from './motion.js';
+import {Panel} from './panel.js';
+import {rowsOf} from './room.js';
+import {Stage} from './stage.js';
+import {Steps} from './steps.js';
+import {Teller} from './tell.js';
+import {Traces} from './traces.js';
+/** @typedef {import('./types.js').Course} Course */
+
 /** @typedef {'move' | 'steps' | 'try' | 'results' | 'given'} Mode */
 
-class Page {
+export class Page {
     constructor() {
         this.data = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('data')).textContent ?? '');
         this.language = document.documentElement.lang;
@@ -22,6 +37,7 @@ class Page {
         this.steps = new Steps(this);
         this.drive = new Drive(this);
         this.hall = new Hall(this);
+        this.keys = new Keys(this);
         this.completeDrawings();
     }
     /** Drawings that are equal in the languages of the page were sent with the first only. */
@@ -31,7 +47,6 @@ class Page {
             stand.replaceWith(sent[Number(stand.getAttribute('data-as'))].cloneNode(true));
         }
     }
-
     start() {
         this.leaveOut();
         this.wireReading();
@@ -52,7 +67,6 @@ class Page {
         }
         document.documentElement.classList.toggle('wordy', !has.moving && !has.steps);
     }
-
     /** @param {string} key */
     word(key) {
         return this.data.words[this.language][key];
@@ -204,7 +218,7 @@ class Page {
             if (follow) views.forEach((view) => view.bind());
             const rows = rowsOf(views);
             // Twice: the first pass does not know the heights of the tables below the others.
-            for (let times = 0; follow && times < 2; ++times) views.forEach((view) => view.takeRoom(views, rows));
+            for (let times = 0; follow && times < 2; ++times) views.forEach((view) => view.area.takeRoom(views, rows));
             return views;
         });
         place?.classList.remove('binding');
@@ -222,11 +236,9 @@ class Page {
         this.at('language').onchange = () => this.setLanguage(this.at('language').value);
         this.at('ruler').onclick = () => this.ruler.turn(!this.ruler.isOn);
         for (const tab of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[role=tab]')))
-            tab.onclick = () => (this.setMode(/** @type {Mode} */ (tab.dataset.mode ?? 'try')), this.openMenu(false));
-        this.at('menu-button').onclick = () => this.openMenu(this.at('menu').hidden);
-        document.addEventListener('pointerdown', (event) => {
-            if (!this.at('bar').contains(event.target)) this.openMenu(false);
-        });
+            tab.onclick = () => (this.setMode(/** @type {Mode} */ (tab.dataset.mode ?? 'try')),
+                this.keys.openMenu(false));
+        this.keys.wire();
         const theme = this.at('theme');
         if (theme) {
             theme.onchange = () => {
@@ -234,89 +246,29 @@ class Page {
                 else delete document.documentElement.dataset.theme;
             };
         }
-        document.addEventListener('keydown', (event) => this.onKey(event));
         window.addEventListener('resize', () => this.reachTables());
         for (const sheet of this.sheets) this.wireSheet(sheet);
     }
     /** @param {HTMLElement} sheet */
     wireSheet(sheet) {
         sheet.addEventListener('pointerover', (event) => {
-            this.light(this.saidAt(event.target));
+            this.teller.light(this.teller.saidAt(event.target));
             this.teller.tell(event.target);
         });
         sheet.addEventListener('pointerdown', (event) => {
             const target = /** @type {Element} */ (event.target);
             const svg = /** @type {SVGSVGElement | null} */ (target.closest('.figures svg'));
             if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
-            else if (svg) this.exercise.touch(svg, event);
+            else if (svg) this.exercise.pen.touch(svg, event);
         });
         sheet.addEventListener('pointerleave', () => {
-            this.light(null);
+            this.teller.light(null);
             this.teller.tell(null);
         });
         sheet.addEventListener('click', (event) => {
             const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
             if (sentence) this.showStep(this.says.indexOf(/** @type {HTMLElement} */ (sentence)));
         });
-    }
-    /** @param {boolean} isOpen */
-    openMenu(isOpen) {
-        this.at('menu').hidden = !isOpen;
-        this.at('menu-button').setAttribute('aria-expanded', String(isOpen));
-        document.documentElement.classList.toggle('menu-open', isOpen);
-    }
-    /** @param {KeyboardEvent} event */
-    onKey(event) {
-        const target = /** @type {HTMLElement} */ (event.target);
-        if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (event.key === 'Escape') return this.escape();
-        if (this.mode === 'try' || target.matches('input:not([type=range]), select')) return;
-        if (target.matches('[type=range]') && !event.key.startsWith('Page')) return;
-        const actions = /** @type {Record<string, () => void>} */ ({
-            'ArrowRight': () => this.at('next')?.click(),
-            'PageDown': () => this.at('next')?.click(),
-            'n': () => this.at('next')?.click(),
-            'ArrowLeft': () => this.at('previous')?.click(),
-            'PageUp': () => this.at('previous')?.click(),
-            'p': () => this.at('previous')?.click(),
-            'Home': () => this.showStep(0),
-            'End': () => this.showStep(this.says.length - 1),
-            ' ': () => this.at('play')?.click(),
-            '0': () => this.at('drawn')?.click(),
-            'm': () => this.at('ruler').click(),
-            'v': () => this.at('values')?.click(),
-            'h': () => this.at('hall')?.click(),
-        });
-        const action = actions[event.key];
-        if (!action || (event.key === ' ' && target.matches('button, [tabindex]'))) return;
-        event.preventDefault();
-        action();
-    }
-    /** Closes what is open, the last first. */
-    escape() {
-        if (!this.at('menu').hidden) return this.openMenu(false);
-        if (this.mode === 'try') return this.setMode('steps');
-        if (this.ruler.isOn) return this.ruler.turn(false);
-        if (this.hall.isOn) return this.hall.turn(false);
-        if (this.says.length > 0) this.showStep(-1);
-    }
-    /**
-     * The number of the statement of a sentence or stroke.
-     * @param {EventTarget | null} target
-     */
-    saidAt(target) {
-        const node = target instanceof Element ? target.closest('[data-statement], [data-says]') : null;
-        return node && (node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
-    }
-    /**
-     * Highlights the strokes of a sentence, or the sentence of a stroke.
-     * @param {string | null} number
-     */
-    light(number) {
-        for (const node of this.sheet.querySelectorAll('.lit')) node.classList.remove('lit');
-        if (number === null) return;
-        for (const node of this.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`))
-            node.classList.add('lit');
     }
     /**
      * @param {number} step −1: all
@@ -325,28 +277,6 @@ class Page {
     showStep(step, announced = true) {
         if (this.says.length > 0) this.setMode('steps');
         this.steps.show(step, announced);
-    }
-    /**
-     * Hides strokes and sentences by their statement.
-     * @param {(statement: number) => boolean} isHidden
-     */
-    hideStatements(isHidden) {
-        for (const svg of this.sheet.querySelectorAll('.figures svg')) svg.classList.add('reading');
-        for (const node of this.sheet.querySelectorAll('svg [data-statement], li[data-says]')) {
-            node.classList.remove('now', 'past', 'next');
-            node.classList.toggle('later',
-                isHidden(Number(node.getAttribute('data-statement') ?? node.getAttribute('data-says'))));
-        }
-    }
-    /**
-     * The current scale of a figure: units of the quantity for a millimetre.
-     * @param {SVGSVGElement} svg
-     */
-    scaleOf(svg) {
-        const view = this.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
-        const shown = view?.scales[0];
-        return shown ? {scale: shown.now, unit: shown.unit} :
-            {scale: Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
     }
     /** @param {string} words */
     announce(words) {
@@ -381,10 +311,4 @@ class Page {
             size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
         return (this.language === 'en' ? text : text.replace('.', ',')).replace('-', '−');
     }
-}
-
-if (typeof document !== 'undefined') {
-    const page = new Page();
-    page.start();
-    Object.assign(window, {kinegraph: page});
 }

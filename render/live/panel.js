@@ -1,7 +1,11 @@
 // The panel of givens that a reader may change: speeds of drivers, sizes of loads, lengths, parameters of the file. A
 // change closes the joints and replays the program again.
 
-class Panel {
+import {unscored} from './exercise.js';
+/** @typedef {import('./motion.js').Motion} Motion */
+/** @typedef {import('./page.js').Page} Page */
+
+export class Panel {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;

@@ -1,6 +1,9 @@
 // Replays a program in the browser, operation by operation, and evaluates every guard: engine/board/program.hpp and
 // engine/board/replay.cpp in JavaScript, with the same order of operations. Knows no position and no figure.
 
+import {Guards} from './guards.js';
+/** @typedef {import('./types.js').Plan} Plan */
+
 /** In the order of Verb. */
 const verbs = [
     'given_point',
@@ -31,24 +34,12 @@ const verbs = [
     'projection',
     'arm',
 ];
-const pointVerbs = new Set(['given_point', 'pole', 'point_at_infinity', 'meet', 'meet_at_infinity', 'carry']);
 const lineVerbs = new Set(['through', 'join']);
 const scalarVerbs = new Set(
     ['given_scalar', 'ratio', 'product', 'sum', 'difference', 'opposite', 'quotient', 'moment', 'projection']);
-/** In the order of Guard::Question. */
-const coincide = 0,
-    parallel = 1,
-    zeroVector = 2,
-    zeroScalar = 3,
-    onTheLine = 4,
-    signOf = 5,
-    turnSign = 6,
-    alongSign = 7;
-const byPrecision = 2;
-const drawingPlane = 0, forcePlane = 3;
-const zeroBits = 30, vanishingBits = 42;
+export const drawingPlane = 0;
 
-class Replay {
+export class Replay {
     /**
      * @param {Plan} plan
      * @param {number} size of the drawing, m
@@ -66,9 +57,9 @@ class Replay {
         }
         this.largestVector = [0, 0, 0, 0];
         this.largestScalar = [0, 0, 0, 0];
+        this.guards = new Guards(this);
         plan.givens.forEach((value, given) => this.give(given, value));
     }
-
     /**
      * @param {number} given
      * @param {number[]} value
@@ -77,7 +68,6 @@ class Replay {
         const element = this.elementOfGiven.get(given);
         if (element !== undefined) this.put(element, value[0], value[1] ?? 0, value[2] ?? 0);
     }
-
     /**
      * @param {number} i
      * @param {number} x
@@ -105,7 +95,6 @@ class Replay {
     isLine(i) {
         return lineVerbs.has(this.verb[i]);
     }
-
     /** Whether every guard holds; evaluation stops at the first that does not. */
     run() {
         const {strokes, guards} = this.plan;
@@ -122,12 +111,11 @@ class Replay {
         };
         for (let g = 0; g < guards.length; g += 6) {
             until(guards[g + 5]);
-            if (!this.holds(guards[g], guards[g + 1], guards[g + 2], guards[g + 3], guards[g + 4])) return false;
+            if (!this.guards.holds(guards[g], guards[g + 1], guards[g + 2], guards[g + 3], guards[g + 4])) return false;
         }
         until(this.count);
         return true;
     }
-
     /**
      * Carries out all strokes, whatever the guards say, with some elements put elsewhere.
      * @param {Map<number, [number, number, number]>} own by element
@@ -140,7 +128,6 @@ class Replay {
             else if (strokes[5 * i + 4] < 0) this.carryOut(i, strokes[5 * i + 2], strokes[5 * i + 3]);
         }
     }
-
     /**
      * Updates the largest magnitude in the element's plane, for comparisons.
      * @param {number} i
@@ -154,7 +141,6 @@ class Replay {
             this.largestVector[plane] = Math.max(this.largestVector[plane], Math.abs(this.x(i)), Math.abs(this.y(i)));
         }
     }
-
     /**
      * @param {number} i
      * @param {number} a
@@ -197,7 +183,6 @@ class Replay {
                 return this.carryOutScalar(i, a, b);
         }
     }
-
     /**
      * @param {number} i
      * @param {number} a
@@ -227,7 +212,6 @@ class Replay {
             }
         }
     }
-
     /**
      * @param {number} i
      * @param {number} p
@@ -286,140 +270,4 @@ class Replay {
     dot(a, b) {
         return this.x(a) * this.x(b) + this.y(a) * this.y(b);
     }
-
-    // --- guards ------------------------------------------------------------------------------------------------------
-
-    /**
-     * The direction of a vector or a line.
-     * @param {number} i
-     * @returns {Spot}
-     */
-    direction(i) {
-        return this.isLine(i) ? {x: -this.y(i), y: this.x(i)} : {x: this.x(i), y: this.y(i)};
-    }
-    /**
-     * A difference that was zero may show the rounding of its terms; one that was not must not vanish.
-     * @param {number} question
-     * @param {number} how
-     * @param {number} a
-     * @param {number} b
-     * @param {number} verdict
-     */
-    holds(question, how, a, b, verdict) {
-        const now = this.answer(question, a, b);
-        const zero = question <= onTheLine ? 1 : 0;
-        const isSmall = (/** @type {number} */ bits) => now.exact || now.excess * 2 ** bits <= now.unit;
-        if (how === byPrecision && isSmall(this.plan.doubtfulBits)) return true;
-        if (verdict !== zero) return now.verdict === verdict && (now.exact || !isSmall(vanishingBits));
-        if (now.verdict === zero || (!now.exact && isSmall(zeroBits))) return true;
-        return question === parallel && !now.exact && now.excess * 2 ** zeroBits <= this.slack(a, b);
-    }
-    /**
-     * @param {number} question
-     * @param {number} a
-     * @param {number} b
-     */
-    answer(question, a, b) {
-        const plane = this.plan.strokes[5 * a + 1];
-        switch (question) {
-            case coincide: {
-                const far = [a, b].filter((i) => this.w(i) === 0).length;
-                if (far === 1) return plain(false);
-                if (far === 2) return this.angle({x: this.x(a), y: this.y(a)}, {x: this.x(b), y: this.y(b)});
-                return zeroOf([this.x(a) - this.x(b), this.y(a) - this.y(b)], this.largestVector[plane]);
-            }
-            case parallel: {
-                const first = this.isLine(a) && this.x(a) === 0 && this.y(a) === 0;
-                const second = this.isLine(b) && this.x(b) === 0 && this.y(b) === 0;
-                if (first || second) return plain(first && second);
-                return this.angle(this.direction(a), this.direction(b));
-            }
-            case zeroVector:
-                return zeroOf([this.x(a), this.y(a)], this.largestVector[plane]);
-            case zeroScalar:
-                return zeroOf([this.x(a)], this.besideScalar(plane));
-            case onTheLine: {
-                if (this.x(b) === 0 && this.y(b) === 0) return plain(this.w(a) === 0);
-                const along = this.direction(b);
-                if (this.w(a) === 0) return this.angle({x: this.x(a), y: this.y(a)}, along);
-                const excess = this.x(b) * this.x(a) + this.y(b) * this.y(a) + this.w(b);
-                return zeroOf([excess], magnitude(along) * this.largestVector[plane]);
-            }
-            case signOf:
-                return signAnswer(this.x(a), this.besideScalar(plane));
-            case turnSign:
-            case alongSign: {
-                const beside = magnitude({x: this.x(a), y: this.y(a)}) * magnitude({x: this.x(b), y: this.y(b)});
-                return signAnswer(question === turnSign ? this.cross(a, b) : this.dot(a, b), beside);
-            }
-            default:  // longer
-                return plain(this.dot(b, b) < this.dot(a, a));
-        }
-    }
-    /**
-     * @param {Spot} d
-     * @param {Spot} e
-     */
-    angle(d, e) {
-        return zeroOf([d.x * e.y - d.y * e.x], magnitude(d) * magnitude(e));
-    }
-    /** @param {number} plane */
-    besideScalar(plane) {
-        if (plane === drawingPlane) return this.largestScalar[plane];
-        const size = this.largestVector[drawingPlane], vector = this.largestVector[plane];
-        return Math.max(this.largestScalar[plane], plane === forcePlane ? vector * size : vector / size);
-    }
-    /**
-     * The magnitude of the vectors whose difference a direction is.
-     * @param {number} i
-     * @returns {number}
-     */
-    scaleOf(i) {
-        const {strokes} = this.plan;
-        switch (this.verb[i]) {
-            case 'given_vector':
-                return magnitude(this.direction(i));
-            case 'through':
-                return this.scaleOf(strokes[5 * i + 3]);
-            case 'perpendicular':
-            case 'turn':
-            case 'negate':
-            case 'direction_of_line':
-                return this.scaleOf(strokes[5 * i + 2]);
-            default:
-                return Math.max(this.largestVector[strokes[5 * i + 1]], magnitude(this.direction(i)));
-        }
-    }
-    /**
-     * @param {number} a
-     * @param {number} b
-     */
-    slack(a, b) {
-        return Math.max(this.scaleOf(a) * magnitude(this.direction(b)), magnitude(this.direction(a)) * this.scaleOf(b));
-    }
-}
-
-/** @param {Spot} a */
-function magnitude(a) {
-    return Math.max(Math.abs(a.x), Math.abs(a.y));
-}
-/** @param {boolean} yes */
-function plain(yes) {
-    return {verdict: yes ? 1 : 0, exact: true, excess: 0, unit: 0};
-}
-/**
- * @param {number[]} excess
- * @param {number} unit
- */
-function zeroOf(excess, unit) {
-    const isZero = excess.every((each) => each === 0);
-    return {verdict: isZero ? 1 : 0, exact: isZero, excess: Math.max(...excess.map(Math.abs)), unit};
-}
-/**
- * @param {number} value
- * @param {number} unit
- */
-function signAnswer(value, unit) {
-    const verdict = value === 0 ? 0 : value < 0 ? -1 : 1;
-    return {verdict, exact: verdict === 0, excess: Math.abs(value), unit};
 }

@@ -1,9 +1,12 @@
 // The report of an exercise: what was drawn, with how many attempts and hints, in what time, for how many points. It
 // can be printed or saved; nothing is sent.
 
+import {total} from './room.js';
+/** @typedef {import('./page.js').Page} Page */
+
 /** @typedef {{name: string, attempts: number, hints: number, seconds: number, points: number}} Done */
 
-class Report {
+export class Report {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;

@@ -2,6 +2,12 @@
 // does this once (render/figures/polygon_parts.cpp, render/page/labels.cpp); here it is done for each position. Returns
 // places; owns no marks.
 
+import {dot, quarterTurn, unitOf} from './closure.js';
+import {scaledBy} from './given.js';
+import {apart, boxOf, minus} from './path.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /** As in polygon_parts.cpp, mm. */
 const lanePitch = 2.2, sameLane = 0.4, sharedLength = 1, oneVector = 0.05;
 
@@ -11,7 +17,7 @@ const lanePitch = 2.2, sameLane = 0.4, sharedLength = 1, oneVector = 0.05;
  * @param {Spot} tip
  * @returns {(at: Spot) => {t: number, n: number}}
  */
-function localOf(tail, tip) {
+export function localOf(tail, tip) {
     const e = unitOf(minus(tip, tail)), n = quarterTurn(e);
     return (at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
 }
@@ -33,7 +39,7 @@ function hideEachOther(a, b) {
  * Vectors that would cover each other are drawn side by side, all others in their places.
  * @param {FigureView} view
  */
-function setSideBySide(view) {
+export function setSideBySide(view) {
     /** @type {{ends: [Spot, Spot], number: number, normal: Spot}[]} */
     const lanes = [];
     const all = view.strokes.map((name) => ({name, ends: view.vector(name)}));
@@ -53,12 +59,12 @@ function setSideBySide(view) {
     }
 }
 /** @param {number[]} all */
-function total(all) {
+export function total(all) {
     return all.reduce((sum, each) => sum + each, 0);
 }
 
 /** The boxes of placed labels, and the strokes that labels avoid. */
-class Crowd {
+export class Crowd {
     constructor() {
         /** @type {{left: number, right: number, top: number, bottom: number}[]} */
         this.boxes = [];
@@ -122,7 +128,7 @@ function lengthWithin(a, b, {left, right, top, bottom}) {
  * position.
  * @param {number[]} room
  */
-function wellShaped([x, y, width, height]) {
+export function wellShaped([x, y, width, height]) {
     const tall = Math.max(height, 0.6 * width), wide = Math.max(width, 1.2 * tall);
     return [x - (wide - width) / 2, y, wide, tall];
 }
@@ -131,8 +137,8 @@ function wellShaped([x, y, width, height]) {
  * Rows of the polygons of one drawing, each from left to right.
  * @param {FigureView[]} views in the drawn position
  */
-function rowsOf(views) {
-    const all = views.flatMap((view) => ({view, box: view.box()})),
+export function rowsOf(views) {
+    const all = views.flatMap((view) => ({view, box: view.area.box()})),
         middle = (/** @type {typeof all[0]} */ {box}) => box?.centre.y ?? 0;
     /** @type {(typeof all)[]} */
     const rows = [];
@@ -154,7 +160,7 @@ function rowsOf(views) {
  * @param {FigureView} view
  * @param {FigureView[]} views
  */
-function companionsOf(view, views) {
+export function companionsOf(view, views) {
     const groups = views.map(({group}) => group), title = view.group.previousElementSibling;
     const isTitle = (/** @type {Element} */ node) => groups.some((group) => group.previousElementSibling === node);
     /** @type {Element[]} */
@@ -179,16 +185,16 @@ function companionsOf(view, views) {
  * The common factor by which the polygons of a drawing are smaller than on the sheet. Gives each polygon its own area.
  * @param {FigureView[][]} rows
  */
-function shareRoom(rows) {
-    const [x, y, width, height] = rows[0][0].fitRoom, rim = 12, between = 14, apartFromFoot = 7;
-    const sizes = rows.map((row) => row.map((view) => view.box()).map((box) =>
+export function shareRoom(rows) {
+    const [x, y, width, height] = rows[0][0].area.fitRoom, rim = 12, between = 14, apartFromFoot = 7;
+    const sizes = rows.map((row) => row.map((view) => view.area.box()).map((box) =>
         box ? {x: box.right - box.left, y: box.bottom - box.top} : {x: 0, y: 0}));
     const tall = sizes.map((row) => Math.max(...row.map((size) => size.y)));
-    const feet = rows.map((row) => Math.max(...row.map(({foot}) => foot ? foot.height + apartFromFoot : 0)));
+    const feet = rows.map((row) => Math.max(...row.map(({area: {foot}}) => foot ? foot.height + apartFromFoot : 0)));
     const freeHeight = Math.max(height - 2 * rim - between * (rows.length - 1) - total(feet), rim);
     // The width of the tables first, the rest in proportion to the widths of the polygons.
     const widths = rows.map((row, i) => {
-        const least = row.map(({foot}) => foot?.width ?? 0),
+        const least = row.map(({area: {foot}}) => foot?.width ?? 0),
             free = width - 2 * rim - between * (row.length - 1) - total(least);
         return least.map(
             (each, j) =>
@@ -206,7 +212,7 @@ function shareRoom(rows) {
         const bottom = top + tall[i] / k + air;
         let left = x + rim;
         row.forEach((view, j) => {
-            view.room = {left, right: left + widths[i][j], top, bottom};
+            view.area.room = {left, right: left + widths[i][j], top, bottom};
             left += widths[i][j] + between;
         });
         top = bottom + feet[i] + between;

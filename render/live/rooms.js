@@ -1,6 +1,10 @@
 // The areas that figures may cover over the range of a driver, so that nothing leaves its drawing and scales stay.
 
-class Rooms {
+/** @typedef {import('./drive.js').Drive} Drive */
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./motion.js').Motion} Motion */
+
+export class Rooms {
     /** @param {Drive} drive */
     constructor(drive) {
         this.drive = drive;
@@ -40,7 +44,7 @@ class Rooms {
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
                 view.held?.take(fits);
-                view.measureTravels();
+                view.ground.measureTravels();
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);

@@ -2,15 +2,24 @@
 // the reader or the step turns on. Drawings of the mechanism share one place: the first is shown as it is, the others
 // are laid on it without what both show.
 
+import {boxOf} from './path.js';
+import {total} from './room.js';
+/** @typedef {import('./area.js').Area} Area */
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./paper.js').FigureInfo} FigureInfo */
+
 /** Layers by the names of their figures, in the order in which they are offered. */
 const layerPatterns = /** @type {[string, RegExp][]} */ ([
-    ['centres', /^centres$/], ['velocities', /^velocit/], ['accelerations', /^acceleration/], ['curvature',
-        /^curvature-/],
-    ['forces', /^(lines-of-action|forces|truss|cremona|closure$)/], ['bodies', /^(body|pin)-/], ['lever',
-        /^joukowsky$/],
+    ['centres', /^centres$/],
+    ['velocities', /^velocit/],
+    ['accelerations', /^acceleration/],
+    ['curvature', /^curvature-/],
+    ['forces', /^(lines-of-action|forces|truss|cremona|closure$)/],
+    ['bodies', /^(body|pin)-/],
+    ['lever', /^joukowsky$/],
 ]);
 /** Figures that are drawings of the whole mechanism. */
-const ofMechanism = /^(mechanism|centres|velocities|lines-of-action|truss)$|^curvature-/;
+export const ofMechanism = /^(mechanism|centres|velocities|lines-of-action|truss)$|^curvature-/;
 /** A figure is not shown lower than this, px; then the stage scrolls. Figures of steps share what there is. */
 const leastHeight = 150;
 /** Area for each figure of a step, px²; with less only the one that shows the step is there. */
@@ -21,7 +30,7 @@ function layerOf(name) {
     return name === 'mechanism' ? '' : layerPatterns.find(([, pattern]) => pattern.test(name))?.[0] ?? 'others';
 }
 
-class Stage {
+export class Stage {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;

@@ -1,6 +1,10 @@
 // Reading step by step: which sentence and which strokes are shown, and in which figures.
 
-class Steps {
+import {fill} from './exercise.js';
+import {ofMechanism} from './stage.js';
+/** @typedef {import('./page.js').Page} Page */
+
+export class Steps {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
@@ -81,6 +85,18 @@ class Steps {
             node.classList.toggle('past', now !== null && drawn < now);
             node.classList.toggle('later', now !== null && drawn > now);
             node.classList.toggle('next', now !== null && drawn === coming);
+        }
+    }
+    /**
+     * Hides strokes and sentences by their statement.
+     * @param {(statement: number) => boolean} isHidden
+     */
+    hideStatements(isHidden) {
+        for (const svg of this.page.sheet.querySelectorAll('.figures svg')) svg.classList.add('reading');
+        for (const node of this.page.sheet.querySelectorAll('svg [data-statement], li[data-says]')) {
+            node.classList.remove('now', 'past', 'next');
+            node.classList.toggle('later',
+                isHidden(Number(node.getAttribute('data-statement') ?? node.getAttribute('data-says'))));
         }
     }
     /**
@@ -171,7 +187,7 @@ function mostDrawn(figures, sentence) {
  * A sentence as a screen reader reads it, without its equation's table.
  * @param {Element} sentence
  */
-function spoken(sentence) {
+export function spoken(sentence) {
     const copy = /** @type {Element} */ (sentence.cloneNode(true));
     for (const table of copy.querySelectorAll('table')) table.remove();
     return copy.textContent ?? '';

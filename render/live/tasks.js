@@ -1,5 +1,11 @@
 // The lines of a polygon that a student draws, and what is wrong with a line. Lengths in mm on paper. Knows no page.
 
+import {dot, quarterTurn, unitOf} from './closure.js';
+import {scaledBy} from './given.js';
+import {apart, minus, samePlace} from './path.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./types.js').Spot} Spot */
+
 /**
  * @typedef {{statement: number, kind: 'vector' | 'line', name: string, from: Spot, by: Spot, ends: Spot[], line:
  * string}} Task
@@ -10,7 +16,7 @@
  */
 
 /** On paper a line is as good as a sharp pencil: half a millimetre, at every vertex that it leads to. */
-const pencil = 0.5;
+export const pencil = 0.5;
 /** A shorter line says nothing about a direction, mm. */
 const leastLineDrawn = 1;
 
@@ -20,7 +26,7 @@ const leastLineDrawn = 1;
  * @param {(statement: number) => Set<string>} unknownIn names of the vectors of unknown magnitude in a statement
  * @returns {Task[]}
  */
-function tasksOf(view, unknownIn) {
+export function tasksOf(view, unknownIn) {
     /** @type {Spot[]} */
     const known = [];
     const isSame = (/** @type {Spot} */ a) => (/** @type {Spot} */ b) => apart(a, b) < samePlace;
@@ -87,7 +93,7 @@ function drawnIn(view) {
  * @param {Task} task
  * @param {Task[]} tasks
  */
-function leadingTo(task, tasks) {
+export function leadingTo(task, tasks) {
     const before = tasks.slice(0, tasks.indexOf(task)).filter(({statement, kind}) => kind === 'vector' ||
         statement < task.statement);
     const makes = before.filter(({ends, from}) => apart(from, task.from) > samePlace && ends.some((at) => apart(at,
@@ -104,7 +110,7 @@ function leadingTo(task, tasks) {
  * @param {Spot} to
  * @returns {Fault}
  */
-function faultOf(task, from, to) {
+export function faultOf(task, from, to) {
     const by = minus(to, from), size = apart(from, to), wanted = Math.hypot(task.by.x, task.by.y);
     const good = scaledBy(1 / wanted, task.by), fault = (/** @type {Fault['kind']} */ kind, off = 0) => ({kind,
         by: off});

@@ -1,7 +1,13 @@
 // Highlights what belongs to the vector under the pointer: its body on the mechanism, its rows in the table of values,
 // and its current value beside its name.
 
-class Teller {
+import {holdOf} from './held_marks.js';
+import {drawn} from './measure.js';
+/** @typedef {import('./figures.js').FigureView} FigureView */
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./paper.js').Names} Names */
+
+export class Teller {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
@@ -11,6 +17,24 @@ class Teller {
     /** @returns {Names} */
     get names() {
         return this.page.data.names;
+    }
+    /**
+     * The number of the statement of a sentence or stroke.
+     * @param {EventTarget | null} target
+     */
+    saidAt(target) {
+        const node = target instanceof Element ? target.closest('[data-statement], [data-says]') : null;
+        return node && (node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
+    }
+    /**
+     * Highlights the strokes of a sentence, or the sentence of a stroke.
+     * @param {string | null} number
+     */
+    light(number) {
+        for (const node of this.page.sheet.querySelectorAll('.lit')) node.classList.remove('lit');
+        if (number === null) return;
+        for (const node of this.page.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`))
+            node.classList.add('lit');
     }
     /** @param {EventTarget | null} target the node under the pointer */
     tell(target) {

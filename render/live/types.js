@@ -18,10 +18,10 @@
  *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict,
  *   stroke before which it is evaluated;
  *   sources: an element by column, −1: it vanishes, −2: unknown
- * @typedef {{name: string, symbol?: string, kind: string, unit: string, size: number, body: number, point: number,
+ * @typedef {{name: string, symbol: string, kind: string, unit: string, size: number, body: number, point: number,
  *   joint: number,
  *   component: string}} Column
- *   symbol: of an input force or couple, as on the sheet
+ *   symbol: as on the sheet, with _ before what is set low: ω_4
  * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
  *   values?: (number | null)[]}} Sample
  *   coordinate, rate and acceleration are written only for a driver with a law; otherwise Motion sets them
@@ -43,3 +43,5 @@
  *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y,
  *   contact
  */
+
+export {};

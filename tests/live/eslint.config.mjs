@@ -9,6 +9,6 @@ const more = {
 };
 export default [
     js.configs.recommended,
-    {files: ['**/*.js'], languageOptions: {sourceType: 'script'}, rules: more},
+    {files: ['**/*.js'], languageOptions: {sourceType: 'module'}, rules: more},
     {files: ['**/*.mjs'], rules: more},
 ];
