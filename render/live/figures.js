@@ -140,8 +140,9 @@ export class FigureView extends Paper {
         if (this.isMechanism) this.measuresToRim(room);
         this.stayInPlace();
         setSideBySide(this);
-        this.crowd.clear(this.held ? [...this.held.arrows.values()].flatMap(({now}) => [now() ?? []]) :
-            [...this.keys.keys()].map((name) => this.drawnVector(name) ?? []));
+        const bars = this.isMechanism ? this.links.bars() : [];
+        this.crowd.clear([...bars, ...this.held ? [...this.held.arrows.values()].flatMap(({now}) => [now() ?? []]) :
+            [...this.keys.keys()].map((name) => this.drawnVector(name) ?? [])]);
         for (const update of [...this.bindings, ...this.placings]) update();
     }
     /**

@@ -33,7 +33,7 @@ export class LabelBinder {
             else if (spot !== undefined && !this.view.isMechanism)
                 this.bindAround(parts, () => this.view.spot(spot), centre, box);
             else if (spot !== undefined) this.bindToPlace(parts, () => this.view.spot(spot));
-            else if (this.view.isMechanism) this.bindMechanismLabel(label, parts, centre);
+            else if (this.view.isMechanism) this.bindMechanismLabel(label, parts, centre, box);
             else this.bindLineLabel(label, centre);
         });
     }
@@ -74,25 +74,11 @@ export class LabelBinder {
             const box = boxOf(spotsOf(parsePath(before.getAttribute('d') ?? '')));
             if (apart(box.centre, centre) < 1.5 && box.right - box.left < 8) parts.push(before);
         }
-        for (const part of this.leaderBefore(parts[parts.length - 1], centre)) {
+        for (const part of leaderBefore(parts[parts.length - 1], centre)) {
             parts.push(part);
             this.view.taken.add(part);
         }
         return parts;
-    }
-    /**
-     * The line from a label to what it names, and the dot at its end.
-     * @param {Element} first of the label
-     * @param {Spot} centre
-     * @returns {Element[]}
-     */
-    leaderBefore(first, centre) {
-        const disc = first.matches('g.text') ? null : first.previousElementSibling, line = disc?.previousElementSibling;
-        if (disc?.tagName !== 'path' || line?.tagName !== 'path') return [];
-        const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')),
-            end = boxOf(spotsOf(parsePath(disc.getAttribute('d') ?? '')));
-        const isLeader = end.right - end.left < 1.2 && ends.length === 2 && apart(end.centre, ends[0]) < samePlace;
-        return isLeader && apart(ends[1], centre) < apart(ends[0], centre) ? [disc, line] : [];
     }
     /**
      * @param {Element[]} parts
@@ -121,11 +107,27 @@ export class LabelBinder {
         if (!drawn) return parts.forEach((part) => part.classList.add('still'));
         const off = minus(centre, drawn), x = box.width / 2 + 1.2, y = box.height / 2 + 1.2;
         const sides = [off, {x: -off.x, y: off.y}, {x: off.x, y: -off.y}, {x: -off.x, y: -off.y},
-            {x, y: 0}, {x: -x, y: 0}, {x: 0, y}, {x: 0, y: -y}];
+            {x, y: 0}, {x: -x, y: 0}, {x: 0, y}, {x: 0, y: -y}, {x, y}, {x: -x, y: -y}, {x, y: -y}, {x: -x, y}];
         this.placeLabel(parts, centre, box, () => {
             const now = place();
-            return now ? sides.map((by) => along(now, 1, by)) : [];
+            return now ? [1, 1.7].flatMap((far) => sides.map((by) => along(now, far, by))) : [];
         });
+    }
+    /**
+     * A label that belongs to a body, not to a point: at its place, or not far from it.
+     * @param {Element[]} parts
+     * @param {() => Spot} place
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     */
+    bindNear(parts, place, centre, box) {
+        const turns = Array.from({length: 8}, (_, i) => i * Math.PI / 4);
+        const offs = [0, ...[3, 6, 10].flatMap((far) => turns.map((turn) => ({x: far * Math.cos(turn),
+            y: far * Math.sin(turn)})))];
+        // With its circle.
+        const size = Math.max(box.width, box.height) + 2, round = {width: size, height: size};
+        this.placeLabel(parts, centre, round, () => offs.map((off) => off === 0 ? place() : along(place(), 1,
+            /** @type {Spot} */ (off))));
     }
     /**
      * Puts the label where it hides least; if there is no place, hides it.
@@ -245,20 +247,21 @@ export class LabelBinder {
      * @param {Element} label
      * @param {Element[]} parts
      * @param {Spot} centre
+     * @param {{width: number, height: number}} box
      */
-    bindMechanismLabel(label, parts, centre) {
+    bindMechanismLabel(label, parts, centre, box) {
         const text = label.getAttribute('data-label') ?? '';
         const first = text.split(' ≡ ')[0];
         const point = this.view.names.points.findIndex(
             (each, i) => each.label === first && apart(this.view.point(i), centre) < 40,
         );
         const body = this.view.names.bodies.findIndex((each) => each.label === text);
-        if (/ = [−\d]/.test(text)) return this.bindNumber(parts, text, centre);
+        if (/ = [−\d]/.test(text)) return this.bindNumber(parts, text, centre, box);
         const isBalloon = parts.some((part) => part.tagName === 'path');
         if (isBalloon && body > 0) {
-            this.bindToPlace(parts, () => this.view.links.shaped(body, centre));
+            this.bindNear(parts, () => this.view.links.shaped(body, centre), centre, box);
         } else if (point >= 0) {
-            this.bindToPlace(parts, () => this.view.point(point));
+            this.bindAround(parts, () => this.view.point(point), centre, box);
         } else {
             const ground = this.view.isFree ? -1 : this.view.ground.groundAt(centre, 25);
             if (ground < 0) parts.forEach((part) => part.classList.add('still'));
@@ -270,13 +273,18 @@ export class LabelBinder {
      * @param {Element[]} parts
      * @param {string} text
      * @param {Spot} centre
+     * @param {{width: number, height: number}} box
      */
-    bindNumber(parts, text, centre) {
+    bindNumber(parts, text, centre, box) {
         const {motion} = this.view, {settings} = motion.data, ground = this.view.ground.groundAt(centre, Infinity);
         const setting = settings.findIndex(({name}) => text.startsWith(`${name.replace(/^([ωv]) /, '$1_')} = `));
         if (ground < 0 || setting < 0) return parts.forEach((part) => part.classList.add('still'));
-        this.bindToPlace(parts, () => motion.settings[setting] === settings[setting].value ?
-            this.view.point(ground) : null);
+        const off = minus(centre, this.view.point(ground)), down = 10 + box.height;
+        const sides = [off, {x: -off.x, y: off.y}, ...[0, off.x, -off.x].flatMap((x) => [{x, y: down}, {x, y: -down}])];
+        this.placeLabel(parts, centre, box, () => {
+            const isTrue = motion.settings[setting] === settings[setting].value;
+            return isTrue ? sides.map((by) => along(this.view.point(ground), 1, by)) : [];
+        });
     }
     /**
      * "P_13  (O_2P_13 = 424 mm)": only the name remains away from the drawn position.
@@ -288,4 +296,19 @@ export class LabelBinder {
         const glyphs = [...name.replace(/[_^ ]/g, '')].length;
         [...label.querySelectorAll('use')].slice(glyphs).forEach((glyph) => glyph.classList.add('still'));
     }
+}
+
+/**
+ * The line from a label to what it names, and the dot at its end.
+ * @param {Element} first of the label
+ * @param {Spot} centre
+ * @returns {Element[]}
+ */
+function leaderBefore(first, centre) {
+    const disc = first.matches('g.text') ? null : first.previousElementSibling, line = disc?.previousElementSibling;
+    if (disc?.tagName !== 'path' || line?.tagName !== 'path') return [];
+    const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')),
+        end = boxOf(spotsOf(parsePath(disc.getAttribute('d') ?? '')));
+    const isLeader = end.right - end.left < 1.2 && ends.length === 2 && apart(end.centre, ends[0]) < samePlace;
+    return isLeader && apart(ends[1], centre) < apart(ends[0], centre) ? [disc, line] : [];
 }

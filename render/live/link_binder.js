@@ -35,6 +35,18 @@ export class LinkBinder {
         }
     }
     /**
+     * The lines between the joints of each moving body, which labels keep off.
+     * @returns {[Spot, Spot][]}
+     */
+    bars() {
+        const {view} = this, {joints, bodies} = view.names;
+        return bodies.flatMap((_, body) => {
+            const own = body > 0 ? joints.filter((joint) => joint.bodies.includes(body)).map(({point}) =>
+                view.point(point)) : [];
+            return own.flatMap((a, i) => own.slice(i + 1).map((b) => /** @type {[Spot, Spot]} */ ([a, b])));
+        });
+    }
+    /**
      * Moves a node with a body.
      * @param {Element} node
      * @param {number} body

@@ -178,9 +178,10 @@ function mostDrawn(figures, sentence) {
         name,
         count: node.querySelectorAll(`[data-statement="${sentence.dataset.says}"]`).length
             + (bodies.some((body) => name === `body-${body}`) ? 0.5 : 0),
+        // The polygon of one body alone is larger than beside those of others.
+        isOfOne: /^forces-/.test(name),
     })).filter(({count}) => count >= 1);
-    return counted.reduce((/** @type {typeof counted[0] | null} */ best, each) => !best ||
-        each.count > best.count ? each : best, null);
+    return counted.sort((a, b) => Number(b.isOfOne) - Number(a.isOfOne) || b.count - a.count)[0];
 }
 
 /**

@@ -290,6 +290,37 @@ test('a finger drags a joint, scrolls elsewhere, and takes a step', async () => 
     quiet();
 });
 
+for (const name of ['four_bar', 'exam_2001', 'watt_six_bar', 'slider_crank', 'quick_return', 'jansen_leg', 'whitworth', 'scotch_yoke',
+    'stephenson_1_driver_2', 'inverted_slider_crank']) {
+    test(`labels of ${name} keep off bars in 72 positions`, async (t) => {
+        await open(pageOf(name));
+        const found = await see(`(() => {
+            const view = kinegraph.figures.find(({info}) => info.name === 'mechanism'), rim = 0.3;  // the box of a word is wider than its ink
+            const labels = [...view.group.querySelectorAll('g.label')].filter((each) => !each.closest('.dimension'));
+            const hidden = () => labels.filter((each) => getComputedStyle(each).visibility !== 'hidden').map((label) => {
+                const {x, y, width, height} = label.getBBox(), {e: right, f: down} = label.transform.baseVal.consolidate()?.matrix ?? {e: 0, f: 0};
+                const box = {left: x + right + rim, right: x + right + width - rim, top: y + down + rim, bottom: y + down + height - rim};
+                return {name: label.dataset.label, by: view.links.bars().reduce((sum, bar) => sum + lengthWithin(...bar, box), 0)};
+            });
+            const sheet = Math.max(...hidden().map(({by}) => by)), {samples} = kinegraph.course, worst = {name: '', by: 0};
+            const [from, to] = [samples[0].at, samples[samples.length - 1].at];
+            let seen = 0;
+            for (let i = 0; i < 72; ++i) {
+                kinegraph.moveTo(from + (to - from) * (i + 0.37) / 72);
+                for (const each of hidden()) {
+                    ++seen;
+                    if (each.by > worst.by) Object.assign(worst, each, {at: kinegraph.motion.at});
+                }
+            }
+            return {sheet, worst, seen};
+        })()`);
+        t.diagnostic(JSON.stringify(found));
+        assert.ok(found.seen > 300, String(found.seen));
+        assert.ok(found.worst.by <= found.sheet + 0.5, JSON.stringify(found));
+        quiet();
+    });
+}
+
 test('limits are stops with their reason', async () => {
     await open(pageOf('five_bar'));
     await see('document.querySelector("#stops button").click()');
