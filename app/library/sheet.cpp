@@ -272,8 +272,8 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     const auto& source = solved.state().source;
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
     const Solution& solution = solved.state().solution;
-    std::string html =
-        render::live_page(solution, moving_of(solution, file), *sheet, dark_beside(options), **fonts, version);
+    const auto moving = solution.mechanism.drivers.empty() ? standing_of(solution) : moving_of(solution, file);
+    std::string html = render::live_page(solution, moving, *sheet, dark_beside(options), **fonts, version);
     std::vector<Text> remarks;
     if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
     if (!solution.mechanism.cam_file.empty()) remarks.push_back(text_of(app::cam_stays(solution.mechanism)));

@@ -12,6 +12,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/board/replay.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/motion/place_rules.hpp"
 #include "engine/motion/repositioned.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -123,15 +124,12 @@ private:
 class Courses {
 public:
     explicit Courses(const Solution& solution)
-        : solution_(solution),
-          mechanism_(solution.mechanism),
-          pose_(solution.pose),
-          mover_(mechanism_, pose_),
-          rules_(mechanism_, pose_) {}
+        : solution_(solution), mechanism_(solution.mechanism), pose_(solution.pose), rules_(mechanism_, pose_) {}
 
     std::optional<Moving> moving(const Rereading& rereading) {
         for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
         add_plan(solution_);
+        mover_.emplace(mechanism_, pose_);
         for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) add_course(static_cast<int>(i));
         if (moving_.courses.empty()) return std::nullopt;
         moving_.size = pose_.size.to_double();
@@ -145,6 +143,17 @@ public:
         }
         for (MovingSetting& length : lengths_of(mechanism_, pose_)) moving_.settings.push_back(std::move(length));
         add_parameters(moving_, mechanism_, pose_, rereading);
+        return std::move(moving_);
+    }
+
+    Moving standing() {
+        for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
+        add_plan(solution_);
+        moving_.size = pose_.size.to_double();
+        for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
+        moving_.settings = rules_.settings();
+        put_rest();
+        moving_.courses.emplace_back().samples.emplace_back().plan = 0;
         return std::move(moving_);
     }
 
@@ -184,6 +193,31 @@ private:
         course.shares = positions->shares();
         for (const double at : ways_of(course)) add_sample(course, *positions, given, at);
         moving_.courses.push_back(std::move(course));
+    }
+    /// Nothing moves: places are those of the drawing, in m, each on its body, and no row has to be closed.
+    void put_rest() {
+        moving_.unit = 1;
+        for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i)
+            moving_.bodies.push_back({Vector{}, -1, static_cast<int>(i)});
+        moving_.frozen.assign(mechanism_.bodies.size(), true);
+        const auto carriers = carriers_of(mechanism_);
+        for (const PointIndex point : indices_of(mechanism_.points)) {
+            Positions::PointRule& rule = moving_.points.emplace_back();
+            const BodyIndex known = carriers ? (*carriers)[at_index(point)].body : frame;
+            rule.carrier.body = known != none ? known : frame;
+            rule.local = {pose_.at(point).x.to_double(), pose_.at(point).y.to_double()};
+        }
+        for (const Joint& joint : mechanism_.joints) {
+            Positions::JointRule& rule = moving_.joints.emplace_back();
+            const std::size_t index = at_index(mechanism_.index_of(joint));
+            if (joint.pair().has_common_point()) continue;
+            rule.bodies = {joint.bodies[0], joint.bodies[1]};
+            rule.point = joint.point;
+            rule.turns_with = frame;
+            rule.guide = closing::rough(pose_.guides[index]);
+            rule.tangent = closing::rough(pose_.tangents[index]);
+            rule.touches = joint.pair().touches();
+        }
     }
     void put_closure(const Positions& positions) {
         moving_.unit = positions.size();
@@ -240,7 +274,7 @@ private:
             sample.plan = 0;
             return;
         }
-        Repositioned moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
+        Repositioned moved = mover_->moved(positions, Exact::from_double(sample.coordinate));
         if (rates)
             moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
         for (std::size_t i = 0; i < moving_.plans.size(); ++i) {
@@ -294,7 +328,7 @@ private:
     const Solution& solution_;
     const Mechanism& mechanism_;
     const Pose& pose_;
-    Mover mover_;
+    std::optional<Mover> mover_;  ///< of what moves
     MovingRules rules_;
     Moving moving_;
     std::size_t last_ = 0;
@@ -310,6 +344,14 @@ std::optional<Moving> moving_of(const Solution& solution, const Rereading& rerea
     if (stands_for_joints(solution.mechanism) || solution.mechanism.drivers.empty()) return std::nullopt;
     if (!solution.mechanism.cam_file.empty() || is_beyond_moving(solution.mechanism)) return std::nullopt;
     return Courses(solution).moving(rereading);
+}
+
+std::optional<Moving> standing_of(const Solution& solution) {
+    const Mechanism& mechanism = solution.mechanism;
+    if (stands_for_joints(mechanism) || !mechanism.drivers.empty() || (solution.free_bodies.empty() && !solution.truss))
+        return std::nullopt;
+    if (!mechanism.cam_file.empty() || is_beyond_moving(mechanism)) return std::nullopt;
+    return Courses(solution).standing();
 }
 
 }  // namespace kinegraph

@@ -8,7 +8,7 @@ async function picture(name, page, options, act) {
     await open(`file://${resolve('docs/live', `${page}.html`)}`, options);
     await run(`${act}, null`);
     const file = `docs/images/${name}.png`;
-    const {width, height, scale = 1} = options, clip = {x: 0, y: await run('scrollY'), width, height, scale};
+    const {width, height, scale = 1} = options, clip = {x: 0, y: 0, width, height, scale};
     const {data} = await protocol.send('Page.captureScreenshot', {format: 'png', clip});
     writeFileSync(file, Buffer.from(data, 'base64'));
     if (statSync(file).size > 60 * 1024) {
@@ -18,18 +18,18 @@ async function picture(name, page, options, act) {
 }
 const longer = `(() => {
     const [, input] = [...kinegraph.panel.inputs].find(([, each]) => each.parentElement.textContent.startsWith('O₂O₄'));
-    document.getElementById('givens').open = true;
+    kinegraph.setMode('given');
     input.value = '165';
     input.dispatchEvent(new Event('input'));
 })()`;
 await picture('live_wide', 'four_bar', {width: 1280, height: 900, scale: 0.6}, `${longer}, kinegraph.moveTo(0.8)`);
-await picture('live_dark', 'watt_six_bar', {width: 1280, height: 780, dark: true, scale: 0.55}, 'kinegraph.moveTo(1)');
-await picture('live_phone', 'cam_roller_follower', {width: 390, height: 780, dark: true}, 'kinegraph.moveTo(0.6), scrollTo(0, 330)');
+await picture('live_dark', 'watt_six_bar', {width: 1280, height: 780, dark: true, scale: 0.55}, 'kinegraph.showStep(16)');
+await picture('live_phone', 'cam_roller_follower', {width: 390, height: 780, dark: true}, 'kinegraph.showStep(2), kinegraph.moveTo(0.6)');
 await picture('live_try', 'four_bar', {width: 390, height: 780}, `(() => {
     document.getElementById('try').click();
     const list = document.getElementById('try-direction');
     list.value = [...list.options].find((each) => each.text === '⟂ O₂A').value;
-    kinegraph.exercise.aim();
+    kinegraph.exercise.pen.aim();
     document.getElementById('try-check').click();
 })()`);
 await close();

@@ -47,7 +47,7 @@ export class Drive {
             this.pause();
             this.moveTo(this.nearStop(Number(position.value)));
         };
-        page.at('play').onclick = () => (this.isPlaying ? this.pause() : this.play());
+        if (page.at('play')) page.at('play').onclick = () => (this.isPlaying ? this.pause() : this.play());
         page.at('drawn').onclick = () => {
             this.pause();
             motion.toDrawn(this.course);

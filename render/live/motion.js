@@ -50,6 +50,10 @@ export class Motion {
         this.toDrawn();
     }
 
+    /** A structure that nothing drives has one position. */
+    get isStill() {
+        return this.data.courses[0].samples.length === 1;
+    }
     get isAsGiven() {
         return this.data.settings.every(({value}, i) => value === this.settings[i]);
     }
@@ -118,6 +122,7 @@ export class Motion {
      */
     moveTo(course, at) {
         const {samples} = course;
+        if (this.isStill) return this.stand();
         let after = samples.findIndex((sample) => sample.at >= at);
         if (after < 0) after = samples.length - 1;
         const low = samples[Math.max(after - 1, 0)], high = samples[after];
@@ -141,6 +146,14 @@ export class Motion {
         return true;
     }
 
+    /** The only position, with the current givens. */
+    stand() {
+        this.isDrawn = this.isAsGiven;
+        this.isOwn = false;
+        this.told = null;
+        this.plan = this.planHere([0]);
+        return true;
+    }
     /**
      * Where doubles cannot decide a guard, the numbers are those of the exact construction, and the figures are drawn
      * at a coordinate shifted by a millionth of the range.

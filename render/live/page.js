@@ -59,13 +59,19 @@ export class Page {
     }
     /** Removes controls that this page has no use for. */
     leaveOut() {
+        const {motion, data} = this;
         const has = /** @type {Record<string, boolean>} */ ({
-            moving: this.motion !== null, steps: this.says.length > 0, dark: this.data.dark === true,
+            moving: motion !== null && !motion.isStill,
+            record: motion !== null,
+            given: motion !== null && motion.data.settings.length + motion.data.fixed.length > 0,
+            steps: this.says.length > 0,
+            dark: data.dark === true,
         });
         for (const node of document.querySelectorAll('[data-for]')) {
             if (!has[node.getAttribute('data-for') ?? '']) node.remove();
         }
-        document.documentElement.classList.toggle('wordy', !has.moving && !has.steps);
+        document.documentElement.classList.toggle('still', has.record && !has.moving);
+        document.documentElement.classList.toggle('wordy', !has.record && !has.steps);
     }
     /** @param {string} key */
     word(key) {

@@ -1010,9 +1010,60 @@ test('names are text, whatever they say, and nothing is loaded', async () => {
     quiet();
 });
 
+test('a structure without a driver has the values of its file with other loads', () => {
+    const file = JSON.parse(readFileSync(join(examples, 'beam.json'), 'utf8'));
+    file.loads[0].value = [0, -7.5];
+    const other = join(folder, 'other_beam.json');
+    writeFileSync(other, JSON.stringify(file));
+    const [given, wanted] = [readPage(pageOf('beam')), readPage(pageOf('other_beam', other))].map(({data, Motion}) => new Motion(data.moving));
+    const values = (motion) => motion.data.columns.map((_, i) => motion.value(i)), first = values(given);
+    const load = given.data.settings.findIndex(({name}) => name === 'F_P');
+    assert.ok(given.give(given.settings.map((value, i) => i === load ? 7500 : value)));
+    const now = values(given), expected = values(wanted), most = Math.max(...expected.map(Math.abs));
+    assert.ok(now.length >= 3);
+    now.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 1e-9 * most, `${given.data.columns[i].name}: ${value}, ${expected[i]}`));
+    assert.ok(now.some((value, i) => Math.abs(value - first[i]) > 1000));
+    given.toDrawn();
+    assert.deepEqual(values(given), first);
+});
+
+for (const name of ['beam', 'sluice_gate', 'truss_simple']) {
+    test(`every line of the polygons of ${name}, which nothing drives, can be drawn`, async () => {
+        await openToRead(pageOf(name));
+        const done = await see(`(() => {
+            const {exercise} = kinegraph;
+            kinegraph.setMode('try');
+            return exercise.polygons.map((view) => {
+                exercise.take(view.id);
+                for (const task of exercise.tasks) {
+                    const place = exercise.choices.pointsKnown(exercise.view).findIndex((each) => apart(each.at, task.from) < 0.02);
+                    document.getElementById('try-point').value = String(place);
+                    exercise.pen.choosePoint();
+                    exercise.pen.drag(along(task.from, task.kind === 'line' ? 20 : 1, task.by));
+                    exercise.check();
+                }
+                return [exercise.tasks.length, exercise.points.reduce((sum, each) => sum + each, 0)];
+            });
+        })()`);
+        assert.ok(done.length >= 1);
+        for (const [tasks, points] of done) assert.equal(points, tasks);
+        quiet();
+    });
+}
+
 test('a file without a driver is read all the same', async () => {
     await open(pageOf('beam'));
     assert.equal(await see('document.getElementById("play")'), null);
+    assert.equal(await see('document.getElementById("mode-move")'), null);
+    const lengths = await see(`(() => {
+        kinegraph.setMode('given');
+        const length = (name) => apart(...kinegraph.figures.find(({id}) => id === 'forces-2').vector(name)), before = length('F_P');
+        const view = kinegraph.figures.find(({id}) => id === 'forces-2'), input = document.querySelector('#givens input');
+        input.value = String(2 * Number(input.value));
+        input.dispatchEvent(new Event('input'));
+        return {before: before * view.drawnScale, now: length('F_P') * view.scale, hidden: [...document.querySelectorAll('figure .note')].length};
+    })()`);
+    assert.ok(Math.abs(lengths.now / lengths.before - 2) < 1e-9, JSON.stringify(lengths));
     assert.ok(await see('document.querySelectorAll("main:not([hidden]) svg[role=img]").length') > 0);
     quiet();
 });
