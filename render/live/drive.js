@@ -27,7 +27,7 @@ export class Drive {
     /** @returns {Course} */
     get course() {
         const {courses} = /** @type {Motion} */ (this.motion);
-        return courses[Number(this.page.at('driver').value) || 0];
+        return courses[Number(this.page.at('driver')?.value) || 0];
     }
     /** Cells of values that follow the mechanism, in the current language. */
     get cells() {
@@ -38,16 +38,7 @@ export class Drive {
     /** @param {Motion} motion */
     wire(motion) {
         const {page} = this;
-        const driver = page.at('driver');
-        motion.data.courses.forEach((course, i) => driver.add(new Option(course.name, String(i))));
-        driver.parentElement.hidden = motion.data.courses.length < 2;
-        driver.onchange = () => this.choose(Number(driver.value));
-        const position = page.at('position');
-        position.oninput = () => {
-            this.pause();
-            this.moveTo(this.nearStop(Number(position.value)));
-        };
-        if (page.at('play')) page.at('play').onclick = () => (this.isPlaying ? this.pause() : this.play());
+        if (!motion.isStill) this.wireWay(motion);
         page.at('drawn').onclick = () => {
             this.pause();
             motion.toDrawn(this.course);
@@ -63,21 +54,40 @@ export class Drive {
                 new Dragging(page, /** @type {SVGSVGElement} */ (svg), motion).wire();
         }
     }
+    /**
+     * The choice of the driver, the slider, play.
+     * @param {Motion} motion
+     */
+    wireWay(motion) {
+        const {page} = this;
+        const driver = page.at('driver');
+        motion.data.courses.forEach((course, i) => driver.add(new Option(course.name, String(i))));
+        driver.parentElement.hidden = motion.data.courses.length < 2;
+        driver.onchange = () => this.choose(Number(driver.value));
+        const position = page.at('position');
+        position.oninput = () => {
+            this.pause();
+            this.moveTo(this.nearStop(Number(position.value)));
+        };
+        page.at('play').onclick = () => (this.isPlaying ? this.pause() : this.play());
+    }
     /** @param {number} index */
     choose(index) {
         this.pause();
-        this.page.at('driver').value = String(index);
+        if (!this.motion?.isStill) this.page.at('driver').value = String(index);
         this.motion?.toDrawn(this.course);
         this.showWay();
         this.page.traces.draw();
     }
     /** Shows the range of the driver with the current givens. */
     showWay() {
-        const {course} = this, position = this.page.at('position');
+        const {course} = this;
         this.shownWay = course;
         this.rooms.clear();
         for (const view of this.page.figures) view.ground.travels.forEach((travel) => Object.assign(travel,
             {from: 0, to: 0}));
+        if (this.motion?.isStill) return;
+        const position = this.page.at('position');
         position.min = String(course.samples[0].at);
         position.max = String(course.samples[course.samples.length - 1].at);
         position.setAttribute('aria-label', `${this.page.word('position')}: ${course.name}`);
@@ -169,12 +179,12 @@ export class Drive {
         const {symbol, name, size, unit} = motion.data.columns[index];
         return `${unscored(symbol || name)} = ${page.numberText(Number((value / size).toFixed(2)))}${unit}`;
     }
-    /** Updates all that depends on the position. */
-    show() {
-        const {motion} = this;
-        if (!motion) return;
+    /**
+     * The position, in numbers and in words.
+     * @param {Motion} motion
+     */
+    showWhere(motion) {
         const {course} = this, {samples} = course;
-        if (course !== this.shownWay) this.showWay();
         this.page.at('position').value = String(motion.at);
         this.page.at('where').textContent = this.positionText(motion.at);
         this.page.at('angle').textContent = this.angleText(motion);
@@ -186,6 +196,14 @@ export class Drive {
         if (course.changePoints.some(isNear)) this.say(this.page.word('change_point'));
         else if (atLimit) this.say(this.page.word('limit'));
         else this.say(motion.plan < 0 ? this.page.word('no_construction') : '');
+    }
+    /** Updates all that depends on the position. */
+    show() {
+        const {motion} = this;
+        if (!motion) return;
+        if (this.course !== this.shownWay) this.showWay();
+        if (motion.isStill) this.say('');
+        else this.showWhere(motion);
         this.page.panel.show(motion);
         // What is hidden follows when it is shown.
         const {page} = this, figures = page.figures.filter(({svg}) => svg.closest('.shown'));

@@ -302,10 +302,6 @@ export class Page {
     show() {
         this.drive.show();
     }
-    /** @param {string} words */
-    say(words) {
-        this.drive.say(words);
-    }
     /** @param {number} point */
     pathOf(point) {
         return this.drive.pathOf(point);

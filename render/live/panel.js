@@ -52,7 +52,7 @@ export class Panel {
         const isGood = Number.isFinite(value) && !(isLength && value <= 0) &&
             motion.give(motion.settings.map((each, i) => i === setting ? value : each));
         input.setAttribute('aria-invalid', String(!isGood));
-        if (!isGood) return page.say(page.word('does_not_close'));
+        if (!isGood) return page.drive.say(page.word('does_not_close'));
         page.drive.rooms.clear();
         page.show();
         page.traces.draw();
