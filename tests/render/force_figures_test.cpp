@@ -142,12 +142,12 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
         if (has_force_polygons(solution)) expect_true_and_clean(force_polygons_figure(context, 180, 110));
         for (const int polygon : closed_polygons(solution)) {
             const Figure figure = closed_polygon_figure(context, polygon, 130, 130);
-            EXPECT_EQ(figure.kind, "closure");
+            EXPECT_EQ(figure.data_figure, "closure");
             expect_true_and_clean(figure);
         }
         for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) {
             const Figure figure = free_body_figure(context, i, 120, 90);
-            EXPECT_EQ(figure.kind, "body");
+            EXPECT_EQ(figure.data_figure, "body");
             EXPECT_LE(figure.box.width(), 120);
             EXPECT_LE(figure.box.height(), 90);
             expect_true_and_clean(figure);

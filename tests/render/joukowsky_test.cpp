@@ -84,7 +84,7 @@ TEST_P(Lever, FitsItsRoomAndItsTableSaysThatTheSumIsZero) {
         const Figure figure = joukowsky_figure(context, 110, 130);
         EXPECT_LE(figure.box.width(), 110);
         EXPECT_LE(figure.box.height(), 130);
-        EXPECT_EQ(figure.kind, "velocity");
+        EXPECT_EQ(figure.data_figure, "velocity");
         EXPECT_EQ(figure.id, "joukowsky");
         double longest = 0;
         for (const Axis& force : axes(figure, "force")) longest = std::max(longest, length(force.tip - force.tail));

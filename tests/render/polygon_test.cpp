@@ -86,7 +86,7 @@ TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
     std::set<std::string> names;
     for (const VectorGroup& each : vectors_of(figure)) names.insert(attribute(each.group, "data-name"));
     EXPECT_EQ(names, (std::set<std::string>{"v_A", "v_B", "v_BA"}));
-    EXPECT_EQ(figure.kind, "velocity");
+    EXPECT_EQ(figure.data_figure, "velocity");
     EXPECT_EQ(figure.id, "velocity");
     EXPECT_EQ(figure.unit, "m/s");
     EXPECT_EQ(plain(figure.caption), "Velocity polygon");
