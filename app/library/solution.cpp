@@ -79,8 +79,10 @@ Expected<ResultValue> Solved::evaluate(std::string_view expression) const {
     const Solution& solution = state().solution;
     const std::string text(expression);
     const auto& exercise = solution.mechanism.exercise;
-    const std::vector<NamedResult> all = exercise ? results_for(*exercise, solution) : named_results(solution);
+    std::vector<NamedResult> all = exercise ? results_for(*exercise, solution) : named_results(solution);
     if (const NamedResult* const found = result_named(all, text)) return value_of(*found, solution);
+    for (NamedResult& each : parameters_of(solution.mechanism))
+        if (result_named(all, each.column.name) == nullptr) all.push_back(std::move(each));
     if (!is_expression(text)) return tl::unexpected(diagnostics_of({missing_result(solution, all, text, "")}));
     const auto found = result_of_expression(text, all);
     if (!found) return tl::unexpected(diagnostics_of({found.error()}));

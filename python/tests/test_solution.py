@@ -41,6 +41,7 @@ def test_exact_values_are_fractions(solution):
 def test_expressions(solution):
     assert solution["omega 3 / omega 2"] == -0.25
     assert solution["|v A|"] == 0.5
+    assert solution["vx B / w"] == -0.05  # w is a parameter
     assert solution["y A - y B"] == pytest.approx(0.04, rel=1e-15)
 
 

@@ -66,6 +66,7 @@ TEST(PublicFace, EvaluatesExpressions) {
     EXPECT_FALSE(ratio->exact);
     EXPECT_EQ(found.evaluate("omega 3")->exact->text(), "-5/2");
     EXPECT_EQ(found.evaluate("|v A|")->value, 0.5);
+    EXPECT_EQ(found.evaluate("vx B / w")->value, -0.05) << "w is a parameter";
     const auto misspelt = found.evaluate("omga 3");
     ASSERT_FALSE(misspelt);
     EXPECT_EQ(misspelt.error().front().kind, Diagnostic::Kind::bad_input);
