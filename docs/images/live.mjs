@@ -23,7 +23,7 @@ const longer = `(() => {
     input.dispatchEvent(new Event('input'));
 })()`;
 await picture('live_wide', 'four_bar', {width: 1280, height: 900, scale: 0.6}, `${longer}, kinegraph.moveTo(0.8)`);
-await picture('live_dark', 'watt_six_bar', {width: 1280, height: 780, dark: true, scale: 0.55}, 'kinegraph.showStep(16)');
+await picture('live_dark', 'watt_six_bar', {width: 1280, height: 780, dark: true, scale: 0.45}, 'kinegraph.showStep(16)');
 await picture('live_phone', 'cam_roller_follower', {width: 390, height: 780, dark: true}, 'kinegraph.showStep(2), kinegraph.moveTo(0.6)');
 await picture('live_try', 'four_bar', {width: 390, height: 780}, `(() => {
     document.getElementById('try').click();

@@ -24,10 +24,15 @@ import {Crowd, setSideBySide} from './room.js';
 /** A figure of a drawing; a drawing may contain several. */
 export class FigureView extends Paper {
     /**
-     * The scale bar: valid only at the drawing's scale.
+     * Valid only at the drawing's scale: the scale bar, and what is bound to nothing.
      * @type {Element[]}
      */
     measures = [];
+    /**
+     * The scale bar alone.
+     * @type {Element[]}
+     */
+    scaleBar = [];
     /** @type {(() => void)[]} */
     bindings = [];
     /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */

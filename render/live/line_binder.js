@@ -19,8 +19,10 @@ export class LineBinder {
         const d = node.tagName === 'path' && node.getAttribute('fill') !== 'none' ? node.getAttribute('d') ?? '' : '';
         const spots = /^M[^A]*Z$/.test(d) ? spotsOf(parsePath(d)) : [], box = boxOf(spots);
         if (spots.length !== 4 || box.bottom - box.top > 2) return;
-        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k)
+        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k) {
             this.view.measures.push(next);
+            this.view.scaleBar.push(next);
+        }
     }
     /**
      * A single stroke: a construction line, a disc at a vertex, the scale bar.

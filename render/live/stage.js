@@ -168,6 +168,11 @@ export class Stage {
                 label.classList.toggle('twin', known.has(label.getAttribute('data-label')));
             for (const bar of node.querySelectorAll('svg > g.text, svg > path, svg > rect')) bar.classList.add('twin');
         }
+        for (const view of this.page.figures) {
+            // The scale bar of the lowest: its place may be another's, and its scale is in the caption.
+            const isUnder = view.svg.closest('figure') === this.stacked[0];
+            for (const mark of view.scaleBar) mark.classList.toggle('beneath', isUnder);
+        }
         for (const {node} of all) this.fitOverlay(node);
     }
     /**
@@ -231,8 +236,10 @@ export class Stage {
         const least = this.page.mode === 'steps' && this.ofStep ? 0 : leastHeight;
         const columns = mostRoomy(shapes, place.clientWidth - 24, place.clientHeight - 8, least);
         const rows = Math.ceil(cells.length / columns);
+        // Beside another the figure that shows the step is the larger.
         const inOne = (/** @type {(shape: {width: number, height: number}) => number} */ part) =>
-            shapes.map((shape) => Math.min(Math.max(part(shape), 0.5), 2.5));
+            shapes.map((shape, i) => Math.min(Math.max(part(shape), 0.5), 2.5) * (cells.length > 1 &&
+                isMain(cells[i]) ? 1.5 : 1));
         const wide = rows > 1 ? Array(columns).fill(1) : inOne(({width, height}) => width / height);
         const tall = columns > 1 ? Array(rows).fill(1) : inOne(({width, height}) => height / width);
         place.style.gridTemplateColumns = wide.map((part) => `minmax(0, ${(100 * part).toFixed()}fr)`).join(' ');

@@ -41,6 +41,10 @@ const lookAtSteps = `(async () => {
         for (const node of [...sentences, ...figures, button('next'), button('back'), ...document.querySelectorAll('#position')])
             told(node.id || node.dataset.figureName || 'sentence', cutOff(node));
         for (const cell of sentences[0]?.querySelectorAll('td, th') ?? []) cell.offsetWidth === 0 || told('equation', cutOff(cell));
+        for (const letter of sentences[0]?.querySelectorAll('.equation :is(sub, sup, i, b)') ?? []) {
+            const {paddingLeft, borderBottomStyle} = getComputedStyle(letter);
+            if (paddingLeft !== '0px' || borderBottomStyle !== 'none') faults.push([step, 'letters of a symbol are apart']);
+        }
         const {width, height} = figures[0].querySelector('svg.drawing').getBoundingClientRect();
         if (Math.min(width, height) < 60) faults.push([step, 'small figure', width, height]);
         const strokes = [...document.querySelectorAll('[data-shows=step] .now, .shown .now')].filter((each) =>
