@@ -158,15 +158,21 @@ export class Stage {
         const drawings = all.filter(({node, name}) => ofMechanism.test(name) && node.matches('.shown'));
         const placed = this.isApart ? [] : drawings.filter(({node}) => this.infoOf(node).places);
         this.stacked = placed.length > 1 ? placed.map(({node}) => node) : [];
-        const known = new Set(this.stacked.length > 0 ? labelsOf(this.stacked[0]) : []);
+        const [under, ...over] = this.stacked, known = new Set(under ? labelsOf(under) : []);
+        // A name with a number stands where the layer has it, beside the layer's arrows; other names where the lowest
+        // has
+        // them, which has no room for two scale bars either.
+        const numbers = new Set(over.flatMap(labelsOf).filter((label) => label?.includes(' = ')));
         for (const {node} of all) {
-            const isOver = this.stacked.indexOf(node) > 0;
+            const isOver = over.includes(node);
             node.classList.toggle('overlay', isOver);
-            if (!isOver) continue;
-            // Names that the drawing below has, and its scale bar.
-            for (const label of node.querySelectorAll('g.label'))
-                label.classList.toggle('twin', known.has(label.getAttribute('data-label')));
-            for (const bar of node.querySelectorAll('svg > g.text, svg > path, svg > rect')) bar.classList.add('twin');
+            for (const label of node.querySelectorAll('g.label')) {
+                const name = label.getAttribute('data-label');
+                const isTwin = isOver ? known.has(name) && !numbers.has(name) : node === under && numbers.has(name);
+                label.classList.toggle('twin', isTwin);
+            }
+            for (const mark of node.querySelectorAll('svg > g.text, svg > path, svg > rect'))
+                mark.classList.toggle('twin', isOver);
         }
         for (const view of this.page.figures) {
             // The scale bar of the lowest: its place may be another's, and its scale is in the caption.
