@@ -161,7 +161,7 @@ void add_settings(CLI::App& command, std::vector<ParameterValue>& set) {
 struct SolveWords {
     SolveRequest request;
     std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto", detail = "full",
-                sheet = "solution";
+                sheet = "solution", superposition = "joined";
 
     SolveRequest meant() const {
         SolveRequest full = request;
@@ -174,6 +174,7 @@ struct SolveWords {
         if (dimensions == "off") drawing.dimensions = Options::Dimensions::off;
         if (orientation == "portrait") drawing.orientation = Options::Orientation::portrait;
         if (detail == "brief") drawing.detail = Options::Detail::brief;
+        if (superposition == "each") drawing.superposition = Options::Superposition::each;
         if (sheet == "question") drawing.sheet = Options::Sheet::question;
         if (sheet == "answers") drawing.sheet = Options::Sheet::answers;
         return full;
@@ -215,6 +216,11 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         command, "--detail", words.detail,
         "How much of the solution is told: full, or brief (mechanism, polygons, the decisive sentences, answers)",
         {"full", "brief"}, "HOW");
+    add_choice(
+        command, "--superposition", words.superposition,
+        "How superposed loads are drawn: joined (one force polygon a body, its sides grouped by load) or each (a "
+        "free body and a polygon for each load; of a full solution)",
+        {"joined", "each"}, "HOW");
     add_choice(
         command, "--sheet", words.sheet,
         "What is handed out: the solution, the question (the mechanism with its data, what is sought, scales) or the "

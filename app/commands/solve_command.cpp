@@ -62,6 +62,8 @@ Words meaningless(const SolveRequest& request) {
     const std::string kind = std::string("--sheet ") + sheet;
     if (drawing.grid && drawing.sheet != Sheet::question) return {lang::command_line::grid_is_for_the_question_add};
     if (!solution && brief) return both(kind, "--detail brief");
+    if (drawing.superposition == DrawingOptions::Superposition::each && (!solution || brief))
+        return both("--superposition each", solution ? "--detail brief" : kind);
     if (!drawing.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
     if (drawing.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
     if (!solution && wants(request, "joukowsky")) return both("--with joukowsky", kind);

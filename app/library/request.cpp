@@ -163,6 +163,10 @@ private:
         else if (key == "detail")
             choice<Options::Detail>(value, {{"full", Options::Detail::full}, {"brief", Options::Detail::brief}},
                                     drawing.detail);
+        else if (key == "superposition")
+            choice<Options::Superposition>(
+                value, {{"joined", Options::Superposition::joined}, {"each", Options::Superposition::each}},
+                drawing.superposition);
         else if (key == "sheet")
             choice<Options::Sheet>(value,
                                    {{"solution", Options::Sheet::solution},
@@ -205,9 +209,9 @@ private:
     }
     void unknown(JsonValue member) {
         static constexpr auto known = std::to_array<std::string_view>(
-            {"id",          "file",       "mechanism", "set",    "want",  "to",    "lang",   "paper",
-             "orientation", "dimensions", "detail",    "sheet",  "grid",  "steps", "figure", "with",
-             "theme",       "dpi",        "date",      "author", "exact", "at",    "driver", "branch"});
+            {"id",         "file",   "mechanism", "set",  "want",   "to",     "lang",         "paper", "orientation",
+             "dimensions", "detail", "sheet",     "grid", "steps",  "figure", "with",         "theme", "dpi",
+             "date",       "author", "exact",     "at",   "driver", "branch", "superposition"});
         Speller speller;
         fault(member, Words(lang::library::a_line_has_no_key, std::string(member.key())) +
                           did_you_mean(speller.nearest(member.key(), known)));

@@ -141,6 +141,7 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
                                                                : render::Dimensions::automatic;
     sheet.detail =
         options.detail == DrawingOptions::Detail::brief ? render::SolutionDetail::brief : render::SolutionDetail::full;
+    if (options.superposition == DrawingOptions::Superposition::each) sheet.superposed = render::SuperposedLoads::each;
     sheet.kind = options.sheet == SheetWanted::question  ? render::SheetKind::question
                  : options.sheet == SheetWanted::answers ? render::SheetKind::answers
                                                          : render::SheetKind::solution;

@@ -217,6 +217,13 @@ struct Superposition {
         int polygon = -1;       ///< index in Protocol::polygons
     };
     std::vector<Sum> sums;
+    /// The polygon of one body under all loads: its own loads, then the partial forces of each reaction and their sum.
+    struct Joined {
+        BodyIndex body = none;  ///< none: the pin
+        PointIndex pin = none;
+        int polygon = -1;  ///< index in Protocol::polygons
+    };
+    std::vector<Joined> joined;
     struct CoupleSum {
         Symbol symbol;
         std::vector<Recorded<Exact>> parts;  ///< N m, those that do not vanish

@@ -37,16 +37,19 @@ struct DrawingOptions {
     enum class Dimensions { automatic, on, off };
     /// Amount of detail; brief: what a lecturer would write on the board.
     enum class Detail { full, brief };
+    /// How a superposition is drawn: one force polygon a body, its sides grouped by load; or the figures of each load.
+    enum class Superposition { joined, each };
     /// Purpose of the pages: the worked solution, the exercise as handed out, or its answers.
     enum class Sheet { solution, question, answers };
 
-    Language language = Language::en;                  ///< of all text on the drawing
-    Paper paper = Paper::a4;                           ///< of every page
-    Orientation orientation = Orientation::landscape;  ///< of every page
-    Dimensions dimensions = Dimensions::automatic;     ///< whether to show lengths and angles
-    Detail detail = Detail::full;                      ///< of a solution
-    Sheet sheet = Sheet::solution;                     ///< what the pages are for
-    bool steps = false;                                ///< one page for each sentence instead of the sheet
+    Language language = Language::en;                     ///< of all text on the drawing
+    Paper paper = Paper::a4;                              ///< of every page
+    Orientation orientation = Orientation::landscape;     ///< of every page
+    Dimensions dimensions = Dimensions::automatic;        ///< whether to show lengths and angles
+    Detail detail = Detail::full;                         ///< of a solution
+    Superposition superposition = Superposition::joined;  ///< each: of a full solution only
+    Sheet sheet = Sheet::solution;                        ///< what the pages are for
+    bool steps = false;                                   ///< one page for each sentence instead of the sheet
     bool grid = false;                   ///< a question gets blank space with pole and grid for its polygons
     bool lever = false;                  ///< adds Joukowsky's lever, where forces and velocities are known
     bool even_pages = false;             ///< an empty page follows an odd number of pages, for printing on both sides

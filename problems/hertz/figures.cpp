@@ -148,7 +148,7 @@ private:
 
     void draw_force(Figure& figure, Spot tail, Spot tip) {
         draw_arrow(figure.marks, tail, tip, theme_.vector, theme_.text);
-        figure.labels.push_back({.text = formula("{Q}"),
+        figure.labels.push_back({.text = vector_formula("{Q}"),
                                  .size = theme_.label,
                                  .colour = theme_.text,
                                  .anchor = 0.5 * (tail + tip),

@@ -215,7 +215,7 @@ private:
             if (render::length(reach) < 0.3) return;
             const std::string name = "v_" + n + mark;
             vector_mark(figure, name, centre, centre + reach, kinegraph::length(v), "m/s", ink, kind);
-            figure.labels.push_back({.text = formula("{v_" + n + "}" + mark),
+            figure.labels.push_back({.text = vector_formula("{v_" + n + "}" + mark),
                                      .size = theme_.label,
                                      .colour = letter,
                                      .anchor = centre + 0.75 * reach,
@@ -276,7 +276,7 @@ public:
     };
     struct Side {
         Vector from, to;  ///< m/s
-        std::string text;
+        RichText text;
     };
     std::vector<Arrow> arrows;
     std::vector<Side> sides;
@@ -335,7 +335,7 @@ private:
         if (render::length(to - from) < 0.3) return;
         figure.marks.emplace_back(line(from, to, {theme_.outline, theme_.text, dashes(), false}));
         if (!side.text.empty())
-            figure.labels.push_back({.text = formula(side.text),
+            figure.labels.push_back({.text = side.text,
                                      .size = theme_.derived,
                                      .colour = theme_.text,
                                      .anchor = 0.5 * (from + to),
@@ -346,7 +346,7 @@ private:
         const Spot reach = spot_of(arrow.tip, scale_);
         if (render::length(reach) < 0.3) return;
         vector_mark(figure, arrow.name, tail, tail + reach, kinegraph::length(arrow.tip), "m/s", arrow.line);
-        figure.labels.push_back({.text = formula(arrow.text),
+        figure.labels.push_back({.text = vector_formula(arrow.text),
                                  .size = theme_.label,
                                  .colour = arrow.letter,
                                  .anchor = tail + 0.6 * reach,
@@ -402,7 +402,12 @@ Figure impact_velocities_figure(const DrawingContext& context, double room_x, do
         plane.arrows.push_back(
             {"v_" + n, "{v_" + n + "}", body.before, context.theme.secondary, context.theme.secondary});
         plane.arrows.push_back({"v_" + n + "′", "{v_" + n + "}′", body.after, colour.line, colour.letter});
-        plane.sides.push_back({body.before, body.after, body.pivot ? "" : (i == 0 ? "{J}/{m_" : "−{J}/{m_") + n + "}"});
+        RichText change;  // of the velocity, by the impulse; a pivot adds its own
+        if (!body.pivot) {
+            change = vector_formula(i == 0 ? "{J}" : "−{J}");
+            append(change, formula("/{m_" + n + "}"));
+        }
+        plane.sides.push_back({body.before, body.after, std::move(change)});
     }
     return plane.draw();
 }
@@ -417,10 +422,11 @@ Figure impact_restitution_figure(const DrawingContext& context, double room_x, d
     const auto along = [&](const Vector& v) { return (dot(v, found.normal) / square) * found.normal; };
     plane.arrows.push_back({"u", "{u}", before, theme.secondary, theme.secondary});
     plane.arrows.push_back({"u′", "{u}′", after, theme.body(BodyIndex(1)).line, theme.body(BodyIndex(1)).letter});
-    plane.sides.push_back({before, along(before), ""});
-    plane.sides.push_back({after, along(after), ""});
-    plane.sides.push_back({Vector{}, along(before), found.direct ? "" : "{u_n}"});
-    plane.sides.push_back({Vector{}, along(after), found.direct || found.slip_after.is_zero() ? "" : "{u_n}′"});
+    plane.sides.push_back({before, along(before), {}});
+    plane.sides.push_back({after, along(after), {}});
+    plane.sides.push_back({Vector{}, along(before), found.direct ? RichText{} : formula("{u_n}")});
+    plane.sides.push_back(
+        {Vector{}, along(after), found.direct || found.slip_after.is_zero() ? RichText{} : formula("{u_n}′")});
     return plane.draw();
 }
 

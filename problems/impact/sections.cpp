@@ -38,7 +38,7 @@ public:
                 line += formula_words(", {I_" + n + "} = {0}", {given(*body.inertia, QuantityKind::inertia)});
             if (found_.bodies.at(i).centre != found_.at)
                 line += Words(lang::impact::centre_g_1, place(found_.bodies.at(i).centre), n);
-            line += formula_words(", {v_" + n + "} = {0}",
+            line += formula_words(", {!v_" + n + "} = {0}",
                                   {vector(found_.bodies.at(i).before, QuantityKind::velocity, as_given)});
             if (!body.omega.is_zero())
                 line += formula_words(", {ω_" + n + "} = {0}", {given(body.omega, QuantityKind::angular_velocity)});
@@ -105,7 +105,7 @@ public:
                                              mechanism_.units));
                 continue;
             }
-            Words line = formula_words("{v_" + n + "}′ = {v_" + n + "}" + sign + "{J}/{m_" + n + "} = {0}",
+            Words line = formula_words("{!v_" + n + "}′ = {!v_" + n + "}" + sign + "{!J}/{m_" + n + "} = {0}",
                                        {vector(body.after, QuantityKind::velocity)});
             if (!body.inverse_inertia.is_zero())
                 line += formula_words(

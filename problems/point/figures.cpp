@@ -43,7 +43,10 @@ protected:
 
     void name(const std::string& text, Spot at, Colour colour, std::optional<Spot> toward = std::nullopt,
               double clearance = 2.2) {
-        figure_.labels.push_back({.text = formula(text),
+        name(formula(text), at, colour, toward, clearance);
+    }
+    void name(RichText text, Spot at, Colour colour, std::optional<Spot> toward, double clearance) {
+        figure_.labels.push_back({.text = std::move(text),
                                   .size = theme_.label,
                                   .colour = colour,
                                   .anchor = at,
@@ -62,7 +65,7 @@ protected:
         draw_arrow(figure_.marks, tail, tail + reach, kind.empty() ? theme_.vector : theme_.outline, colour.line, kind);
         figure_.marks.emplace_back(Axis{tail, tail + reach});
         figure_.marks.emplace_back(GroupEnd{});
-        name(text, tail + 0.8 * reach, colour.letter, tail + reach);
+        name(vector_formula(text), tail + 0.8 * reach, colour.letter, tail + reach, 2.2);
     }
     /// Five positions at equal intervals of time.
     static std::vector<std::size_t> ticks(std::size_t count) {

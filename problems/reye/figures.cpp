@@ -56,7 +56,10 @@ private:
     void add(Path path) { figure_.marks.emplace_back(std::move(path)); }
     void name(const std::string& words, Spot anchor, std::optional<Spot> toward = std::nullopt,
               double clearance = 1.6) {
-        figure_.labels.push_back({.text = formula(words),
+        name(formula(words), anchor, toward, clearance);
+    }
+    void name(RichText words, Spot anchor, std::optional<Spot> toward = std::nullopt, double clearance = 1.6) {
+        figure_.labels.push_back({.text = std::move(words),
                                   .size = theme_.derived,
                                   .colour = theme_.text,
                                   .anchor = anchor,
@@ -90,7 +93,7 @@ private:
         add(line({-6, 0}, {width + 6, 0}, pen(2 * theme_.outline, theme_.text)));
         const double at = found_.resultant->to_double() / scale_;
         arrow({at, -high - 11}, {at, -high}, theme_.vector, theme_.text);
-        name("{Q}", {at, -high - 6}, Spot{at, -high});
+        name(vector_formula("{Q}"), {at, -high - 6}, Spot{at, -high});
         if (problem_.kind == ReyeProblem::Kind::pad) {
             add(line({0, -high}, {0, -high - 7}, pen(theme_.thin, theme_.secondary)));
             dimension({0, -high - 5}, {at, -high - 5}, "{d} = " + given(problem_.offset, QuantityKind::length));
@@ -127,7 +130,7 @@ private:
         arrow({at, foot}, {at, centroid.y}, theme_.vector, colour().line);
         add(ring(centroid, 0.9, theme_.paper, pen(theme_.outline, theme_.text)));
         name("{G}", centroid);
-        name("{R} = {Q}", {at, foot - 3}, Spot{at, foot - 8});
+        name(vector_formula("{R} = {Q}"), {at, foot - 3}, Spot{at, foot - 8});
         if (found_.first > 0) name("{p_1}", {left, top + first / 2}, Spot{left, top});
         if (found_.second > 0) name("{p_2}", {right, top + second / 2}, Spot{right, top});
     }
@@ -237,7 +240,7 @@ private:
         if (dot(across, round(1, 0.5 * (found_.begin + found_.end))) < 0) across = -1 * across;
         if (!problem_.inside) across = -1 * across;
         arrow(place - 11 * across, place, theme_.vector, theme_.text);
-        name("{Q}", place - 6 * across, place);
+        name(vector_formula("{Q}"), place - 6 * across, place);
         name("{c}", 0.5 * (pin + place), place);
     }
 

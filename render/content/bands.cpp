@@ -165,16 +165,21 @@ private:
     /// A sentence, followed by the other subjects that it applies to.
     RichText said(std::size_t statement) const {
         const auto& statements = solution_.protocol.statements;
-        RichText text = say(statements[statement].message, context_.language, [&](const LineReason& reason) {
+        const Message& own = statements[statement].message;
+        std::vector<const Message*> messages;
+        if (const auto others = likewise_.find(statement); others != likewise_.end())
+            for (const std::size_t i : others->second) messages.push_back(&statements[i].message);
+        if (!messages.empty() && may_be_told_together(own, *messages.front())) {
+            messages.insert(messages.begin(), &own);
+            return say(told_together(messages), context_.language);
+        }
+        RichText text = say(own, context_.language, [&](const LineReason& reason) {
             std::string number;
             for (const LineNumbers& each : lines_)
                 if (number.empty()) number = each.before(StatementIndex(statement), reason);
             return number;
         });
-        const auto others = likewise_.find(statement);
-        if (others == likewise_.end()) return text;
-        std::vector<const Message*> messages;
-        for (const std::size_t i : others->second) messages.push_back(&statements[i].message);
+        if (messages.empty()) return text;
         append(text, one_piece(" "));
         append(text, say_likewise(messages, context_.language));
         return text;
@@ -402,7 +407,12 @@ Band& Bands::add(const std::vector<FigureId>& figures) {
 /// The earlier statement that says the same of another subject. None if this one reads a vector that was drawn in
 /// between.
 std::optional<std::size_t> Bands::same_before(const Band& band, const Statement& added) const {
-    if (!may_be_merged(added.message)) return std::nullopt;
+    const bool merges = may_be_merged(added.message), is_listed = may_be_told_together(added.message, added.message);
+    if (!merges && !is_listed) return std::nullopt;
+    const auto says_the_same = [&](const Statement& other) {
+        if (is_listed) return !other.equation && may_be_told_together(other.message, added.message);
+        return other.message.sentence == added.message.sentence;
+    };
     const auto reads_of = [&](std::size_t drawn_by) {
         const std::vector<DrawnVector>& vectors = solution_.protocol.vectors;
         return std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
@@ -418,7 +428,7 @@ std::optional<std::size_t> Bands::same_before(const Band& band, const Statement&
     for (const Band::Part& part : band.parts)
         if (part.kind == Kind::steps) told.insert(told.end(), part.which.begin(), part.which.end());
     for (; !told.empty(); told.pop_back()) {
-        if (solution_.protocol.statements[told.back()].message.sentence == added.message.sentence) return told.back();
+        if (says_the_same(solution_.protocol.statements[told.back()])) return told.back();
         if (reads_of(told.back())) return std::nullopt;
     }
     return std::nullopt;
@@ -430,8 +440,9 @@ void Bands::add_step(Band& band, std::size_t statement) {
     if (!added.equation) {
         if (detail_ == SolutionDetail::brief && is_incidental(solution_.protocol.statements, statement)) return;
         // Merges statements while the merged text fits into a column.
-        constexpr std::size_t most_likewise = 16;
-        if (const auto other = same_before(band, added); other && likewise_[*other].size() < most_likewise) {
+        constexpr std::size_t most_likewise = 16, most_listed = 60;
+        const std::size_t most = may_be_told_together(added.message, added.message) ? most_listed : most_likewise;
+        if (const auto other = same_before(band, added); other && likewise_[*other].size() < most) {
             likewise_[*other].push_back(statement);
             return;
         }
@@ -473,15 +484,23 @@ void Bands::collect_motion() {
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
+    std::vector<std::size_t> after_velocities;
+    std::size_t last_of_velocities = 0;  // band
     for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
         const Topic topic = protocol.statements[i].section;
         if (topic == Topic::forces || topic == Topic::curvature) continue;
         const auto polygon = polygon_of.find(StatementIndex(i));
         const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
+        if (follows_velocities(protocol.statements[i].message.sentence)) {
+            after_velocities.push_back(i);
+            continue;
+        }
         // A statement that draws nothing stands with what was drawn before it.
         if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
         add_step(list[last_of[topic]], i);
+        if (topic == Topic::velocity) last_of_velocities = last_of[topic];
     }
+    for (const std::size_t i : after_velocities) add_step(list[last_of_velocities], i);
     collect_curvature();
 }
 
@@ -526,7 +545,7 @@ void Bands::collect_forces() {
             continue;
         }
         if (solution_.superposition && solution_.superposition->statement == StatementIndex(i)) {
-            add_step(list[parts.back()], i);
+            add_step(list[home_of_sums(parts)], i);
             continue;
         }
         add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
@@ -562,7 +581,16 @@ std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines
     return at_lines;
 }
 
-/// Bands for each load acting alone, then for their sum. Returns their indices.
+/// The band of the statement that adds the parts: that of the sums, or of the first polygon that joins parts.
+std::size_t Bands::home_of_sums(const std::vector<std::size_t>& parts) const {
+    for (std::size_t b = parts.front(); wanted_.joins_parts() && b < list.size(); ++b)
+        for (const FreeBody& body : solution_.free_bodies)
+            if (const auto joined = wanted_.joined_parts_of(body); joined && draws(list[b], *joined)) return b;
+    return parts.back();
+}
+
+/// Bands for each load acting alone, then for their sum. Returns their indices. Where the parts are joined in one
+/// polygon a body, a load alone has its lines of action only.
 std::vector<std::size_t> Bands::collect_superposition() {
     std::vector<std::size_t> bands;
     if (!solution_.superposition) return bands;
@@ -570,11 +598,14 @@ std::vector<std::size_t> Bands::collect_superposition() {
         const LoadCase loads(solution_, part);
         bands.push_back(list.size());
         std::vector<FigureId> figures{{FigureKind::lines_of_action, -1, part}};
-        for (std::size_t i = 0; i < loads.bodies().size(); ++i)
-            figures.push_back({FigureKind::free_body, static_cast<int>(i), part});
-        figures.push_back({FigureKind::forces, -1, part});
+        if (!wanted_.joins_parts()) {
+            for (std::size_t i = 0; i < loads.bodies().size(); ++i)
+                figures.push_back({FigureKind::free_body, static_cast<int>(i), part});
+            figures.push_back({FigureKind::forces, -1, part});
+        }
         add("load-" + loads.load(), figures);
     }
+    if (wanted_.joins_parts()) return bands;
     bands.push_back(list.size());
     add({{FigureKind::partial_sums}});
     return bands;
@@ -654,11 +685,12 @@ void Bands::collect_bodies() {
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
         const FigureId free{FigureKind::free_body, static_cast<int>(body - solution_.free_bodies.data())};
-        const bool has_polygon = has_force_polygon(solution_, *body);
+        const auto joined = wanted_.joined_parts_of(*body);
+        const bool has_polygon = joined || has_force_polygon(solution_, *body);
         if (!has_polygon && of_two_forces && list.back().figures.size() < most_in_a_row)
             list.back().figures.push_back(*wanted_.named(free));
         else
-            add({free, {FigureKind::forces_of_body, free.of}});
+            add({free, joined.value_or(FigureId{FigureKind::forces_of_body, free.of})});
         of_two_forces = !has_polygon;
     }
 }

@@ -109,6 +109,7 @@ private:
     void collect_bodies();
     std::size_t home_of_forces(StatementIndex statement, std::size_t at_lines) const;
     std::vector<std::size_t> collect_superposition();
+    std::size_t home_of_sums(const std::vector<std::size_t>& parts) const;
     void collect_truss();
     void collect_equations();
     void collect_apart();

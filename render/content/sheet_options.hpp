@@ -19,9 +19,10 @@ struct SheetOptions {
     Theme theme;
     bool joukowsky = false;  ///< with the lever figure if forces and velocities are known
     Orientation orientation = Orientation::landscape;
-    Dimensions dimensions = Dimensions::automatic;  ///< of given data, on the mechanism figure
-    std::string author = "", date = "";             ///< for the title block; empty: none
-    SolutionDetail detail = SolutionDetail::full;   ///< of a solution
+    Dimensions dimensions = Dimensions::automatic;         ///< of given data, on the mechanism figure
+    std::string author = "", date = "";                    ///< for the title block; empty: none
+    SolutionDetail detail = SolutionDetail::full;          ///< of a solution
+    SuperposedLoads superposed = SuperposedLoads::joined;  ///< each: the full solution only
     SheetKind kind = SheetKind::solution;
     std::optional<KeptScales> kept{};  ///< of figures, as far as a page can hold them; none: those of this sheet alone
     bool grid = false;                 ///< a question has blank areas for its polygons, with pole and grid

@@ -10,6 +10,8 @@ enum class Paper { a4, a3, letter };
 enum class Orientation { landscape, portrait };
 /// Detail of a solution: all of it, or what a lecturer would write on the board.
 enum class SolutionDetail { full, brief };
+/// How a superposition is drawn: one polygon a body, its sides grouped by load; or the figures of each load by itself.
+enum class SuperposedLoads { joined, each };
 /// Kinds of sheet made from one file: the worked solution, the exercise, the key.
 enum class SheetKind { solution, question, answers };
 

@@ -4,10 +4,31 @@
 
 namespace kinegraph::render {
 
-WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail)
-    : shown_(context, detail == SolutionDetail::brief, joukowsky) {
+WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail,
+                             SuperposedLoads superposed)
+    : shown_(context, detail == SolutionDetail::brief, joukowsky), superposed_(superposed) {
     for (const FigureId id : all_figures(shown_)) list.push_back({size_of(shown_, id), id});
     if (!context.solution.free_bodies.empty()) keep_forces_readable();
+}
+
+bool WantedFigures::joins_parts() const {
+    const auto& superposition = shown_.solution().superposition;
+    return superposed_ == SuperposedLoads::joined && superposition && !superposition->joined.empty();
+}
+
+std::optional<FigureId> WantedFigures::joined_parts_of(const FreeBody& body) const {
+    if (!joins_parts()) return std::nullopt;
+    for (const Superposition::Joined& joined : shown_.solution().superposition->joined)
+        if (joined.body == body.body && joined.pin == body.pin)
+            return FigureId{FigureKind::joined_parts_of_body, joined.polygon};
+    return std::nullopt;
+}
+
+bool WantedFigures::is_replaced(FigureId id) const {
+    if (id.kind == FigureKind::joined_parts || id.kind == FigureKind::joined_parts_of_body) return !joins_parts();
+    const bool of_each = id.kind == FigureKind::partial_sums ||
+                         (id.part != all_loads && id.kind != FigureKind::lines_of_action);
+    return of_each && joins_parts();
 }
 
 std::optional<std::size_t> WantedFigures::named(FigureId id) const {

@@ -21,7 +21,8 @@ struct Wanted : SizeWanted {
 class WantedFigures {
 public:
     /// `joukowsky`: with the lever, if there is one. Brief: instant centres only if the file asks for them.
-    WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail = SolutionDetail::full);
+    WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail = SolutionDetail::full,
+                  SuperposedLoads superposed = SuperposedLoads::joined);
 
     std::vector<Wanted> list;
 
@@ -41,11 +42,18 @@ public:
     Figure draw_in(std::size_t figure, Spot room) const { return draw(figure, room, {0, list[figure].asked}); }
     /// With optional content. Empty and at any_scale if there is none, or no space for it.
     Figure enriched(std::size_t figure, const Figure& plain, Spot room) const;
+    /// Whether a superposition is drawn by one polygon a body.
+    bool joins_parts() const;
+    /// The polygon of a body that joins its partial forces, "parts-3", where a superposition is drawn so.
+    std::optional<FigureId> joined_parts_of(const FreeBody& body) const;
+    /// Whether another figure of the superposition is drawn in place of it; it is shown if it is asked for.
+    bool is_replaced(FigureId id) const;
 
 private:
     void keep_forces_readable();
 
     Shown shown_;
+    SuperposedLoads superposed_;
 };
 
 }  // namespace kinegraph::render

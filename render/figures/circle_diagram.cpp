@@ -1,5 +1,5 @@
-// The circle diagram of the instant centres. Bodies stand on a circle; a solid chord is a centre given by a pair, a
-// dashed one a centre found by Kennedy's theorem, numbered in the order found if there is space. Computes nothing.
+// The circle diagram of the instant centres. Bodies stand on a circle; a thick chord is a centre given by a pair, a
+// thin one a centre found by Kennedy's theorem, numbered in the order found if there is space. Computes nothing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -65,7 +65,7 @@ private:
             const Spot from = place(centre->first), to = place(centre->second), along = unit(to - from);
             const bool primary = centre->how == InstantCentre::How::primary;
             const Pen pen =
-                primary ? Pen{theme_.outline, theme_.text, {}, false} : Pen{theme_.thin, theme_.text, dashes(), false};
+                primary ? Pen{theme_.outline, theme_.text, {}, false} : Pen{theme_.thin, theme_.secondary, {}, false};
             marks.emplace_back(line(from + node * along, to - node * along, pen));
             belong(marks, marks.size() - 1, centre->statement);
         }

@@ -56,7 +56,7 @@ void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, double scale
                                           plain(text),
                                           {{"data-name", name}, {"data-value", shortest(length(shown.displacement))}},
                                           none});
-    draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour.line, colour.dashes);
+    draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour.line);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour.letter, middle(Bar{at, tip}), 1.4);
     label.size = sketch.theme.equation;

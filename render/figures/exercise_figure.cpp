@@ -40,6 +40,7 @@ public:
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);
         if (mechanism_.motion) draw_motion(*mechanism_.motion);
     }
+    bool has_arrows() const { return has_arrows_; }
     /// Beside the names of the centres, which are placed before.
     void say_masses() {
         for (const Mass& mass : mechanism_.masses) {
@@ -92,7 +93,8 @@ private:
                                arrow);
                 }
         const Bar& arrow = best.choice;
-        draw_arrow(sketch_.arrows, arrow.from, arrow.to, sketch_.theme.vector, colour.line, colour.dashes);
+        draw_arrow(sketch_.arrows, arrow.from, arrow.to, sketch_.theme.outline, colour.line);
+        has_arrows_ = true;
         clutter_.add(arrow.from, arrow.to);
         sketch_.add_label(std::move(text), colour.letter, middle(arrow), 1.5).toward = arrow.to;
     }
@@ -144,7 +146,7 @@ private:
         draw_arc_arrow(sketch_.arrows, at, arc.radius, arc.from, arc.to, sketch_.theme.outline, colour.line);
         clutter_.add_arc(at, arc.radius, arc.from, by);
         RichText text = named(couple.name, Symbol::Letter::M);
-        append(text, value(couple.value.sign() < 0 ? -couple.value : couple.value, mechanism_.units.moment));
+        append(text, value(couple.value, mechanism_.units.moment));
         sketch_.add_label(std::move(text), colour.letter, arc.at(arc.from + by / 2), 1.5);
     }
     void draw_load(const SpringLoad& spring) {
@@ -184,6 +186,7 @@ private:
     const Mechanism& mechanism_;
     const std::optional<Box>& within_;
     Clutter clutter_;
+    bool has_arrows_ = false;
 };
 
 /// The area of a figure: its greatest size and, if its position is fixed, the part of the paper it may cover, mm
@@ -218,6 +221,7 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     drawing.say_masses();
     Figure figure = sketch.finish(begun(context, {FigureKind::mechanism}), "m");
     figure.caption = one_piece(word(lang::sheet::mechanism_and_its_data, context.language));
+    if (drawing.has_arrows()) figure.further_scale = word(lang::sheet::arrows_not_to_scale, context.language);
     Spot room = ground.room;
     if (ground.within) {
         // Names and scale bar are placed in the area, near the mechanism.
@@ -251,7 +255,7 @@ std::set<std::string> dimensions_outside(const Figure& figure, const std::option
     return outside;
 }
 
-/// In a solution bars in compression are dashed. In a question all bars have the same style, because this would be a
+/// In a solution bars in compression are heavy. In a question all bars have the same style, because this would be a
 /// result.
 Theme theme_of(const DrawingContext& context) {
     Theme theme = context.theme;

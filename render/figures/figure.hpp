@@ -85,6 +85,10 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
                              bool tables = true, int only = -1, int part = all_loads);
 /// For a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
+/// For a superposition: the polygon of each body with its loads, its partial forces and their sums (kind "forces", id
+/// "parts"). `only`: index of the single polygon to draw; −1: all.
+Figure joined_parts_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {},
+                           int only = -1);
 /// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
 bool has_force_polygon(const LoadCase& loads, const FreeBody& body);
 /// The closed polygon: the polygons joined, external forces solid, internal sides dashed.

@@ -24,6 +24,8 @@ enum class FigureKind : std::uint8_t {
     forces_of_body,        ///< a free body
     forces_together,       ///< a member of Solution::taken_together
     partial_sums,          ///< of a superposition
+    joined_parts,          ///< of a superposition: the polygons of all bodies with their partial forces
+    joined_parts_of_body,  ///< such a polygon of the protocol
     closed_polygon,        ///< a polygon of the protocol
     free_body,             ///< a free body of the load case
     lever,                 ///< Joukowsky's
@@ -42,7 +44,7 @@ enum class FigureKind : std::uint8_t {
 extern const FigureFunctions mechanism_functions, centres_functions, velocity_polygon_functions,
     acceleration_polygon_functions, curvature_functions, truss_functions, force_plan_functions,
     lines_of_action_functions, forces_functions, forces_of_body_functions, forces_together_functions,
-    partial_sums_functions, closed_polygon_functions, free_body_functions, lever_functions, loops_functions,
+    partial_sums_functions, joined_parts_functions, joined_parts_of_body_functions, closed_polygon_functions, free_body_functions, lever_functions, loops_functions,
     moving_axes_functions, displacements_functions, velocities_functions, accelerations_functions,
     circle_diagram_functions, joint_graph_functions;
 
@@ -175,6 +177,23 @@ inline constexpr std::array figure_table{
               .scales = {"forces", "closure"},
               .size = figure_columns::row_of_forces,
               .by = &partial_sums_functions},
+    FigureRow{.kind = FigureKind::joined_parts,
+              .key = "parts",
+              .data_figure = "forces",
+              .caption = lang::sheet::force_polygons_by_loads,
+              .traits = figure_columns::forces,
+              .scales = {"forces", "closure"},
+              .size = figure_columns::row_of_forces,
+              .by = &joined_parts_functions},
+    FigureRow{.kind = FigureKind::joined_parts_of_body,
+              .rest = figure_columns::name_of_polygon,
+              .svg_id = "parts",
+              .data_figure = "forces",
+              .caption = lang::sheet::force_polygon_by_loads,
+              .traits = figure_columns::forces,
+              .scales = {"forces", "closure"},
+              .size = figure_columns::single_of_forces,
+              .by = &joined_parts_of_body_functions},
     FigureRow{.kind = FigureKind::closed_polygon,
               .rest = figure_columns::name_of_polygon,
               .data_figure = "closure",

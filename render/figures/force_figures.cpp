@@ -14,6 +14,7 @@
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
+#include "render/mechanism/near_places.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
@@ -116,13 +117,14 @@ FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
         if (const Spot at = paper_spot(applied.at);
             length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size()))
             box.include(at);
-    // A point of concurrency is included if the body does not become too small.
-    const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
-    for (const FreeBody::Meet& meet : shown_meets(subject.solution, body))
-        if (const Spot at = paper_spot(meet.place); contains(near, at)) box.include(at);
+    // Points of concurrency are the purpose of the figure: it may become smaller for them, but not too small.
+    constexpr double growth = 1.8;
+    std::vector<Spot> places;
+    for (const FreeBody::Meet& meet : shown_meets(subject.solution, body)) places.push_back(paper_spot(meet.place));
     for (const FreeBody::Arm& arm : body.arms)
-        for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)})
-            if (contains(near, end)) box.include(end);
+        for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)}) places.push_back(end);
+    const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
+    box = with_near_places(box, std::move(places), growth * std::max(size, 0.1 * subject.size()));
     if (body.funicular) include_strings(box, *body.funicular, near);
     return {own, box};
 }
@@ -251,7 +253,7 @@ private:
             const Spot edge = action.at + (sense > 0 ? seen.to : seen.from) * action.along;
             const Spot tip = edge + sense * broken_end * action.along;
             action.marks.push_back(edge);
-            draw_arrow(sketch_.construction, edge, tip, sketch_.theme.thin, sketch_.theme.secondary, dashes());
+            draw_arrow(sketch_.construction, edge, tip, sketch_.theme.thin, sketch_.theme.secondary);
             belong(sketch_.construction, sketch_.construction.size() - 2, std::max(statement, action.statement));
             if (named) continue;
             named = true;
@@ -290,6 +292,29 @@ private:
     std::vector<ActionLine> lines_;
 };
 
+/// Where teeth mesh: the common tangent of the pitch curves, and the pressure angle between it and the line of action.
+void draw_pressure_angle(Sketch& sketch, const AppliedForce& applied) {
+    if (applied.joint == none || applied.force.is_zero()) return;
+    const Joint& joint = sketch.mechanism.joint(applied.joint);
+    if (!joint.pair().meshes()) return;
+    constexpr double reach = 20, radius = 16;  // outside the teeth
+    const Spot at = sketch.spot(joint), force = paper_direction(applied.force);
+    Spot tangent = paper_direction(sketch.subject.solution.pose.tangents[at_index(applied.joint)]);
+    if (dot(tangent, force) < 0) tangent = -1.0 * tangent;
+    const double from = angle_of(tangent), by = std::atan2(cross(tangent, force), dot(tangent, force));
+    if (std::abs(by) < 1e-9) return;
+    const std::size_t first = sketch.construction.size();
+    sketch.construction.emplace_back(line(at - reach * tangent, at + reach * tangent, sketch.thin()));
+    sketch.construction.emplace_back(line(at, at + reach * force, sketch.axis()));
+    sketch.construction.emplace_back(render::arc(at, radius, from, from + by, sketch.thin()));
+    belong(sketch.construction, first, applied.line_statement);
+    LabelRequest& label =
+        sketch.add_label(one_piece(given_number(std::abs(by) * 180 / pi_number, sketch.context.language) + "°"),
+                         sketch.theme.secondary, at + radius * polar_spot(from + by / 2), 0.8, applied.line_statement);
+    label.toward = at + (radius + 4) * polar_spot(from + by / 2);
+    label.size = sketch.theme.small;
+}
+
 // --- arrows
 
 /// About the point of application of the couple, where it crosses least. `held`: bindings of point and couple; `unit`:
@@ -321,7 +346,8 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
 RichText couple_words(const DrawingContext& context, const AppliedForce& applied) {
     const Unit& unit = context.solution.mechanism.units.moment;
     RichText text = typeset(couple_symbol(applied), context.language);
-    const double value = std::abs((applied.couple / unit.si).to_double());
+    // With its sign, as in the table of results and at an angular velocity.
+    const double value = (applied.couple / unit.si).to_double();
     append(text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
     return text;
 }
@@ -376,9 +402,9 @@ bool reads_as_one(const Bar& arrow, const std::vector<Bar>& others) {
 }
 Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; }
 
-/// A resultant acts on nothing: its shaft is dashed.
-const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
-    return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
+/// A resultant acts on nothing: its shaft is thinner.
+double width_of(const AppliedForce& applied, const Theme& theme) {
+    return applied.kind == AppliedForce::Kind::resultant ? theme.outline : theme.vector;
 }
 
 bool acts_at_centre(const AppliedForce& applied) {
@@ -444,6 +470,7 @@ public:
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
+        for (const AppliedForce& applied : body_.forces) draw_pressure_angle(sketch_, applied);
     }
 
 private:
@@ -548,8 +575,8 @@ private:
                                                statement,
                                                on_force(to_scale ? Form::arrow : Form::with, held)});
         if (to_scale) sketch_.arrows.emplace_back(Axis{arrow.from, arrow.to});
-        draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? theme.vector : theme.outline, colour_.line,
-                   shaft_of(applied, colour_));
+        draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? width_of(applied, theme) : theme.outline,
+                   colour_.line);
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
         if (!to_scale && scale_.says_values)
@@ -609,7 +636,7 @@ private:
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
-        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line, dashes());
+        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line);
         belong(sketch_.arrows, first, applied.force_statement);
         hang(sketch_.arrows, first, {Form::arrow, {point, held}});
         const Unit& unit = sketch_.mechanism.units.length;
@@ -731,7 +758,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     const Bar arrow = free_arrow(clutter, applied, at, standing);
     standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
-    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, shaft_of(applied, colour));
+    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.outline, colour.line);
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, on_force(Form::with, held));
     clutter.add(arrow.from, arrow.to);
@@ -814,6 +841,11 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
+    // Once at each mesh: action and reaction have one line.
+    std::set<JointIndex> meshes;
+    for (const FreeBody& body : solution.free_bodies)
+        for (const AppliedForce& applied : body.forces)
+            if (applied.joint != none && meshes.insert(applied.joint).second) draw_pressure_angle(sketch, applied);
 }
 
 }  // namespace
@@ -893,11 +925,10 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const std::string& load = loads.load();
     const Subject subject(solution);
     const Meets meets = all_shown_meets(loads);
-    // Points of concurrency are the purpose of the figure: the mechanism may become smaller for them.
+    std::vector<Spot> places;
+    for (const FreeBody::Meet& meet : meets) places.push_back(paper_spot(meet.place));
     const Box near = grown(subject.box, 0.7 * subject.size());
-    Box extent = subject.box;
-    for (const FreeBody::Meet& meet : meets)
-        if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
+    Box extent = with_near_places(subject.box, std::move(places), growth_for_places * subject.size());
     for (const TakenTogether& together : loads.together())
         if (together.funicular) include_strings(extent, *together.funicular, near);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0),
@@ -932,6 +963,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
         Figure figure = sketch.finish(begun(context, {FigureKind::lines_of_action, -1, part}), "m");
         if (loads.is_alone()) figure.caption = one_piece(words_of_load(context, load));
+        if (!standing.empty()) figure.further_scale = word(lang::sheet::arrows_not_to_scale, context.language);
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length,
                      trial.strict);
         return figure;

@@ -40,6 +40,7 @@ public:
             if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
         for (const TakenTogether& together : loads.together())
             if (together.polygon == polygon) sums_ = together.sums, funicular_ = together.funicular;
+        add_sums_of_parts();
         // ratio of width to length below which sides would overlap
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
@@ -98,9 +99,10 @@ public:
             }
             side.text = typeset(each.symbol, context_.language);
             side.colour = context_.theme.colour_of(is_truss_whole(context_.solution) ? BodyIndex(none) : each.body);
-            if (is_open() && &each == &scene_.vectors.back()) side.colour.dashes = dashes();
             // A repeated inner side (of a two-force body) is a single stroke with both names.
             side.internal = each.falls_out;
+            // A resultant acts on nothing, and a part is not the whole force.
+            side.is_thin = each.is_part || (is_open() && &each == &scene_.vectors.back());
             side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
         }
@@ -123,9 +125,20 @@ public:
     }
 
 private:
+    /// The sums that the own loads of a body needed are diagonals of the polygon that joins its parts, too.
+    void add_sums_of_parts() {
+        if (!context_.solution.superposition) return;
+        for (const Superposition::Joined& joined : context_.solution.superposition->joined)
+            if (joined.polygon == polygon_)
+                for (const Superposition::Part& part : context_.solution.superposition->parts)
+                    for (const FreeBody& body : part.bodies)
+                        if (body.body == joined.body && body.pin == joined.pin && part.body == joined.body)
+                            sums_.insert(sums_.end(), body.sums.begin(), body.sums.end());
+    }
+
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
 
-    /// A partial sum is a diagonal from the first corner. It is dashed, because it acts on nothing.
+    /// A partial sum is a diagonal from the first corner. It is thin, because it acts on nothing.
     void add_diagonals(double scale, PolygonParts& parts) const {
         const double near = 1e-9 * scene_.size();
         for (const AppliedForce& sum : sums_) {
@@ -141,7 +154,7 @@ private:
             PolygonLine diagonal;
             diagonal.from = spot(scale, start);
             diagonal.to = spot(scale, end->tip);
-            diagonal.pen = {context_.theme.outline, context_.theme.text, dashes(), false};
+            diagonal.pen = {context_.theme.outline, context_.theme.text, {}, false};
             diagonal.mark = typeset(sum.symbol, context_.language);
             diagonal.mark_at = 0.5 * (diagonal.from + diagonal.to);
             diagonal.mark_toward = diagonal.to;
@@ -150,19 +163,19 @@ private:
         }
     }
 
-    /// Rays from the pole to the corners of the known forces, with the numbers of the strings; the ray of the closing
-    /// line is dashed.
+    /// Rays from the pole to the corners of the known forces, with the numbers of the strings; the last one is
+    /// that of the closing line.
     void add_rays(double scale, PolygonParts& parts) const {
         const Exact& si = scene_.unit.si;
         const auto at = [&](const Vector& place) {
             return spot(scale, {(place.x / si).to_double(), (place.y / si).to_double()});
         };
         const Spot pole = at(*funicular_->pole);
-        const auto ray = [&](const Vector& to, const std::string& number, std::vector<double> dashed) {
+        const auto ray = [&](const Vector& to, const std::string& number) {
             PolygonLine line;
             line.from = pole;
             line.to = at(to);
-            line.pen = {context_.theme.thin, context_.theme.text, std::move(dashed), false};
+            line.pen = {context_.theme.thin, context_.theme.text, {}, false};
             line.mark = one_piece(number);
             line.mark_at = 0.5 * (line.from + line.to);
             line.mark_toward = line.from;
@@ -170,8 +183,8 @@ private:
             parts.lines.push_back(std::move(line));
         };
         for (std::size_t i = 0; i < funicular_->corners.size(); ++i)
-            ray(*funicular_->corners[i], std::to_string(i + 1), {});
-        ray(*funicular_->dividing, std::to_string(funicular_->corners.size() + 1), dashes());
+            ray(*funicular_->corners[i], std::to_string(i + 1));
+        ray(*funicular_->dividing, std::to_string(funicular_->corners.size() + 1));
         PolygonImage image;
         image.at = pole;
         image.name = "pole";
@@ -235,6 +248,12 @@ std::vector<int> polygons_of_sums(const Solution& solution) {
     std::vector<int> polygons;
     if (solution.superposition)
         for (const Superposition::Sum& sum : solution.superposition->sums) polygons.push_back(sum.polygon);
+    return polygons;
+}
+std::vector<int> polygons_of_parts(const Solution& solution) {
+    std::vector<int> polygons;
+    if (solution.superposition)
+        for (const Superposition::Joined& joined : solution.superposition->joined) polygons.push_back(joined.polygon);
     return polygons;
 }
 Box extent_of_polygons(const LoadCase& loads, const std::vector<int>& polygons) {
@@ -332,6 +351,17 @@ private:
                 item.body = sum.body;
                 item.statement = solution.superposition->statement;
             }
+        for (const Superposition::Joined& joined : solution.superposition->joined)
+            if (joined.polygon == item.polygon) {
+                const Mechanism& m = solution.mechanism;
+                item.title = joined.body != none ? titled(lang::sheet::body, m.body(joined.body).name)
+                                                 : titled(lang::sheet::pin, m.point(joined.pin).name);
+                item.body = joined.body;
+                for (const Superposition::Part& part : solution.superposition->parts)
+                    for (const FreeBody& body : part.bodies)
+                        if (body.body == joined.body && body.pin == joined.pin && item.statement == none)
+                            item.statement = body.statement;  // the first load that draws a part of it
+            }
     }
 
     static constexpr double between = 6, head = 6, bar = 9, above_table = 2.5;
@@ -389,7 +419,7 @@ private:
         for (const Item& item : items_) all.polygons.push_back(item.polygon);
         all.scale = scale;
         all.unit = context_.solution.mechanism.units.force.symbol;
-        if (id_.kind != FigureKind::partial_sums) all.caption = one_piece(word(caption(), context_.language));
+        if (!row_of(id_.kind).caption) all.caption = one_piece(word(caption(), context_.language));
         double y = 0;
         for (const Row& row : arranged(cells, room)) y = set_row(all, row, cells, names, y);
         all.box = box_of(all.marks);
@@ -541,6 +571,14 @@ Figure partial_sums_figure(const DrawingContext& context, double room_x, double 
         {room_x, room_y}, wish);
 }
 
+Figure joined_parts_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish,
+                           int only) {
+    const bool is_single = only >= 0;
+    const std::vector<int> polygons = is_single ? std::vector<int>{only} : polygons_of_parts(context.solution);
+    const FigureId id = is_single ? FigureId{FigureKind::joined_parts_of_body, only} : FigureId{FigureKind::joined_parts};
+    return fitted_rows(Rows(context, context.solution, polygons, false, id), {room_x, room_y}, wish);
+}
+
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              const ScaleWish& wish) {
     const ForcePolygon drawing(context, context.solution, polygon);
@@ -653,6 +691,19 @@ Figure draw_partial_sums(const Shown& shown, FigureId /*one*/, Spot room, const 
     return partial_sums_figure(shown.context, room.x, room.y, wish);
 }
 
+std::vector<int> has_joined_parts(const Shown& shown, const LoadCase& loads) {
+    return once(!loads.bodies().empty() && !polygons_of_parts(shown.solution()).empty());
+}
+void measure_joined_parts(const Shown& shown, FigureId /*one*/, SizeWanted& size) {
+    size.take(extent_of_polygons(shown.solution(), polygons_of_parts(shown.solution())));
+}
+Figure draw_joined_parts(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return joined_parts_figure(shown.context, room.x, room.y, wish, id.of);
+}
+std::vector<int> joined_parts_of_bodies(const Shown& shown, const LoadCase& loads) {
+    return loads.bodies().empty() ? std::vector<int>{} : polygons_of_parts(shown.solution());
+}
+
 std::vector<int> joined_polygons(const Shown& shown, const LoadCase& loads) {
     return loads.bodies().empty() ? std::vector<int>{} : closed_polygons(shown.solution());
 }
@@ -671,6 +722,9 @@ constinit const FigureFunctions forces_of_body_functions{polygons_of_bodies, mea
 constinit const FigureFunctions forces_together_functions{groups_of_bodies, measure_polygon_of_group,
                                                           draw_polygon_of_group};
 constinit const FigureFunctions partial_sums_functions{has_partial_sums, measure_partial_sums, draw_partial_sums};
+constinit const FigureFunctions joined_parts_functions{has_joined_parts, measure_joined_parts, draw_joined_parts};
+constinit const FigureFunctions joined_parts_of_body_functions{joined_parts_of_bodies, measure_joined_polygon,
+                                                               draw_joined_parts};
 constinit const FigureFunctions closed_polygon_functions{joined_polygons, measure_joined_polygon, draw_joined_polygon};
 
 }  // namespace kinegraph::render

@@ -230,7 +230,7 @@ private:
                                                  placed_[i].statement,
                                                  holds});
             figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
-            draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
+            draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line);
             figure.marks.emplace_back(GroupEnd{});
             LabelRequest label;
             label.text = typeset(entry.symbol, context_.language);

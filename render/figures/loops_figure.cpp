@@ -75,7 +75,7 @@ void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std
                    name,
                    {{"data-name", name}, {"data-value", shortest(equations.letter(side.length).value)}},
                    none});
-    if (!coincide(tail, tip)) draw_arrow(sketch.arrows, tail, tip, sketch.theme.vector, colour.line, colour.dashes);
+    if (!coincide(tail, tip)) draw_arrow(sketch.arrows, tail, tip, sketch.theme.vector, colour.line);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label =
         sketch.add_label(text_of(equations.letter(side.length)), colour.letter, middle(Bar{tail, tip}), 1.3);

@@ -12,6 +12,7 @@
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/plot_figure.hpp"
+#include "render/mechanism/near_places.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -177,13 +178,10 @@ void name_ways(Sketch& sketch, const std::vector<Way>& ways) {
 
 /// The extent of the mechanism with the centres that are near enough to be shown, m.
 Box extent_with_centres(const Subject& subject) {
-    Box extent = subject.box;
-    const Box near = grown(subject.box, 0.6 * subject.size());
-    for (const InstantCentre& centre : subject.solution.centres) {
-        if (!centre.at || centre.at->at_infinity()) continue;
-        if (const Spot at = paper_spot(centre.at->place()); contains(near, at)) extent.include(at);
-    }
-    return extent;
+    std::vector<Spot> places;
+    for (const InstantCentre& centre : subject.solution.centres)
+        if (centre.at && !centre.at->at_infinity()) places.push_back(paper_spot(centre.at->place()));
+    return with_near_places(subject.box, std::move(places), growth_for_places * subject.size());
 }
 
 std::size_t dimensions_in(const Figure& figure) {
@@ -414,7 +412,7 @@ void draw_shown_vector(Sketch& sketch, const OnMechanism& what, const ShownVecto
                                           plain(text),
                                           {{"data-name", name}, {"data-value", shortest(length(shown.value))}},
                                           statement});
-    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);
+    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line);
     sketch.arrows.emplace_back(Axis{arrow.from, arrow.to});
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour.letter, middle(arrow), 1.6, statement);

@@ -43,9 +43,15 @@ void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot alon
     axis(across, "y′");
 }
 
+/// The scale of a vector: value for each mm.
+struct VectorScale {
+    double per_millimetre;
+    const char* unit;
+};
+
 /// A vector at a point, with its two components dashed.
 void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
-                        double value, Colour colour) {
+                        double value, const VectorScale& scale, Colour colour) {
     const Spot tip = at + along + across;
     if (coincide(at, tip)) return;
     if (length(along) > 1 && length(across) > 1) {
@@ -55,8 +61,15 @@ void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string&
             sketch.construction.emplace_back(line(at + part, tip, pen));
         }
     }
-    sketch.arrows.emplace_back(GroupBegin{
-        "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(value)}}, none});
+    sketch.arrows.emplace_back(GroupBegin{"vector",
+                                          sketch.id("", name),
+                                          plain(text),
+                                          {{"data-name", name},
+                                           {"data-value", shortest(value)},
+                                           {"data-scale", shortest(scale.per_millimetre)},
+                                           {"data-unit", scale.unit}},
+                                          none});
+    sketch.arrows.emplace_back(Axis{at, tip});
     draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour, middle(Bar{at, tip}), 1.4);
@@ -86,17 +99,19 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
     const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
     const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
     const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
+    const VectorScale speeds{velocity_scale, "m/s"}, accelerations{acceleration_scale, "m/s²"};
     draw_letter_vector(sketch, letter("v", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "v_rel", at, on_paper(*apart.velocity_along, velocity_scale),
-                       on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), dark);
+                       on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), speeds,
+                       dark);
     draw_letter_vector(sketch, letter("a", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "a_rel", at, on_paper(*apart.acceleration_along, acceleration_scale),
                        on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
-                       sketch.theme.secondary);
+                       accelerations, sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
     draw_letter_vector(sketch, letter("a", own_notation.coriolis, sketch.mechanism.point(motion.query.point).name),
                        "a_cor", at, on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0},
-                       length(*motion.coriolis), own);
+                       length(*motion.coriolis), accelerations, own);
     draw_turning_sense(sketch, motion, at, v);
 }
 

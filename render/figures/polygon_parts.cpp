@@ -194,14 +194,14 @@ private:
     }
 
     void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    StatementIndex statement) const {
+                    double width, StatementIndex statement) const {
         const std::size_t first = marks.size();
         if (internal)
             marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
         else if (has_tip)
-            draw_arrow(marks, from, to, theme_.vector, colour.line, colour.dashes);
+            draw_arrow(marks, from, to, width, colour.line);
         else
-            marks.emplace_back(line(from, to, {theme_.vector, colour.line, colour.dashes, false}));
+            marks.emplace_back(line(from, to, {width, colour.line, {}, false}));
         belong(marks, first, statement);
     }
 
@@ -215,7 +215,7 @@ private:
     void draw_vectors() {
         for (const PolygonPiece& piece : parts_.pieces)
             draw_shaft(figure_.marks, piece.from + piece.aside, piece.to + piece.aside, piece.has_tip, piece.colour,
-                       piece.internal, piece.statement);
+                       piece.internal, theme_.vector, piece.statement);
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
         constexpr std::size_t of_a_vector = 5;
@@ -241,7 +241,8 @@ private:
         begin_group(vector, marks);
         marks.emplace_back(Axis{tail, tip});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
-            draw_shaft(marks, tail, tip, true, vector.colour, vector.internal, vector.statement);
+            draw_shaft(marks, tail, tip, true, vector.colour, vector.internal,
+                       vector.is_thin ? theme_.outline : theme_.vector, vector.statement);
         marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
@@ -260,7 +261,7 @@ private:
         drawn.push_back({&vector, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
-        LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation,
+        LabelRequest& label = ask_label(vector.text, vector.internal || vector.is_thin ? theme_.label : theme_.equation,
                                         vector.colour.letter, 0.5 * (tail + tip), 1.5, vector.statement);
         label.toward = tip;
         label.names = {vector.name};

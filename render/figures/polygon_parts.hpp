@@ -31,6 +31,7 @@ struct PolygonVector {
     RichText text;
     BodyColour colour;
     bool internal = false;          ///< dashed and without a head, because it cancels in the sum
+    bool is_thin = false;           ///< a resultant, or a part of a force
     bool has_right_angles = false;  ///< a line through one of its ends is ⟂ to it by construction
     StatementIndex statement = none;
     Spot aside{};  ///< offset that separates it from others on the same line

@@ -1,7 +1,5 @@
 #include "render/figures/strings.hpp"
 
-#include <utility>
-
 #include "engine/solution/bindings.hpp"
 #include "render/page/shapes.hpp"
 
@@ -15,10 +13,10 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
         return Holds{Holds::Form::segment,
                      {string_binding(load, funicular, from), string_binding(load, funicular, to)}};
     };
-    const auto string = [&](std::size_t from, std::size_t to, std::size_t number, std::vector<double> dashed) {
+    const auto string = [&](std::size_t from, std::size_t to, std::size_t number) {
         const Spot a = sketch.spot(*vertices[from]), b = sketch.spot(*vertices[to]);
         if (length(b - a) < least) return;
-        sketch.over_bodies.emplace_back(line(a, b, {theme.thin, theme.text, std::move(dashed), false}));
+        sketch.over_bodies.emplace_back(line(a, b, {theme.thin, theme.text, {}, false}));
         belong(sketch.over_bodies, sketch.over_bodies.size() - 1, funicular.statement);
         hang(sketch.over_bodies, sketch.over_bodies.size() - 1, held(from, to));
         LabelRequest& label = sketch.add_label(one_piece(std::to_string(number)), theme.secondary, 0.5 * (a + b), 1.0,
@@ -26,8 +24,8 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
         label.size = theme.small;
         label.holds = held(from, to);
     };
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(i, i + 1, i + 1, {});
-    string(vertices.size() - 1, 0, vertices.size(), dashes());
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(i, i + 1, i + 1);
+    string(vertices.size() - 1, 0, vertices.size());
     if (!funicular.resultant) return;
     // The outer strings to their intersection, on the line of the resultant.
     const Spot meet = sketch.spot(*funicular.resultant);
@@ -35,7 +33,7 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
     for (const std::size_t i : {std::size_t{1}, vertices.size() - 2}) {
         const Spot end = sketch.spot(*vertices[i]);
         if (length(meet - end) < 1) continue;
-        sketch.construction.emplace_back(line(end, meet, {theme.thin, theme.secondary, dashes(), false}));
+        sketch.construction.emplace_back(line(end, meet, {theme.thin, theme.secondary, {}, false}));
         belong(sketch.construction, sketch.construction.size() - 1, funicular.statement);
         hang(sketch.construction, sketch.construction.size() - 1, held(i, vertices.size()));
     }

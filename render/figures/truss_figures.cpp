@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "engine/number/assert.hpp"
 #include "lang/keys/sheet.hpp"
@@ -33,22 +34,65 @@ Sense sense_of(const Solution& solution, std::size_t bar) {
     return tension_of(solution, bar) > 0 ? Sense::tension : Sense::compression;
 }
 
-/// Colours of the third and the first body, which differ most, also in grey. Widths and line kinds differ, too, for
-/// print without colour.
+/// Colours of the third and the first body, which differ most, also in grey. Widths differ, too, for print without
+/// colour; a dashed line would mean an internal force.
 Pen pen_of(const Theme& theme, Sense sense) {
     switch (sense) {
         case Sense::tension: return {theme.vector, theme.body(BodyIndex(3)).line, {}, false};
-        case Sense::compression: return {2 * theme.vector, theme.body(BodyIndex(1)).line, {5, 1.4}, false};
+        case Sense::compression: return {2.6 * theme.vector, theme.body(BodyIndex(1)).line, {}, false};
         case Sense::idle: break;
     }
-    return {theme.outline, theme.secondary, {0.8, 0.8}, false};
+    return {theme.outline, theme.secondary, {}, false};
 }
 /// For the force plan, where heavy lines would cover its corners.
+constexpr double in_plan = 0.6;
 Pen thin_pen_of(const Theme& theme, Sense sense) {
     Pen pen = pen_of(theme, sense);
-    pen.width *= 0.6;
+    pen.width *= in_plan;
     return pen;
 }
+
+/// What the lines of bars mean: a stroke and a word for each sense that the truss has, in a row below the figure.
+class SenseKey {
+public:
+    /// `weight`: of the strokes, relative to those of the truss.
+    SenseKey(const DrawingContext& context, double weight) : context_(context), weight_(weight) {
+        for (std::size_t bar = 0; bar < context.solution.truss->bars.size(); ++bar)
+            senses_.insert(sense_of(context.solution, bar));
+        senses_.erase(Sense::idle);  // the bars that carry nothing are thin in any figure
+    }
+
+    double height() const { return senses_.empty() ? 0 : line_height; }
+    /// Appends it to the figure, whose box is known, and extends the box.
+    void set(Figure& figure) const {
+        constexpr double stroke = 9, before_word = 1.5, between = 5, baseline = 4.4, raised = 1.1;
+        Spot at{figure.box.min.x, figure.box.max.y + baseline};
+        const std::size_t first = figure.marks.size();
+        for (const Sense sense : senses_) {
+            const Spot start = at - Spot{0, raised};
+            Pen pen = pen_of(context_.theme, sense);
+            pen.width *= weight_;
+            figure.marks.emplace_back(line(start, start + Spot{stroke, 0}, pen));
+            at.x += stroke + before_word;
+            ShapedLine shaped = context_.fonts.shape(
+                one_piece(
+                    word(sense == Sense::tension ? lang::sheet::tension : lang::sheet::compression, context_.language)),
+                context_.theme.small);
+            const double width = shaped.width;
+            set_text(figure.marks, std::move(shaped), at, context_.theme.secondary, "text");
+            at.x += width + between;
+        }
+        if (figure.marks.size() > first)
+            figure.box.include(box_of({figure.marks.begin() + static_cast<std::ptrdiff_t>(first), figure.marks.end()}));
+    }
+
+private:
+    static constexpr double line_height = 6;
+
+    const DrawingContext& context_;
+    double weight_;
+    std::set<Sense> senses_;
+};
 
 RichText letter_of(const Truss::Space& space) {
     return one_piece(space.letter, space.outside ? Face::italic : Face::regular);
@@ -250,8 +294,7 @@ private:
                                                name_of(external.symbol),
                                                {{"data-name", name_of(external.symbol)}},
                                                external.statement});
-        draw_arrow(sketch_.arrows, behind ? far : near, behind ? near : far, sketch_.theme.vector, sketch_.theme.text,
-                   external.joint != none ? dashes() : std::vector<double>{});
+        draw_arrow(sketch_.arrows, behind ? far : near, behind ? near : far, sketch_.theme.outline, sketch_.theme.text);
         sketch_.arrows.emplace_back(GroupEnd{});
         LabelRequest& label = sketch_.add_label(typeset(external.symbol, sketch_.context.language), sketch_.theme.text,
                                                 0.5 * (near + far), 1.2, external.statement);
@@ -350,8 +393,7 @@ private:
             sketch_.construction.emplace_back(line(from - 6.0 * off, from + reach * off, sketch_.axis()));
         }
         const Spot tail = at + 2.0 * along;
-        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text,
-                   dashes());
+        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text);
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
                                                 tail + 0.5 * size * along, 1.2, sum.force_statement);
@@ -364,7 +406,7 @@ private:
         if (std::abs(cross(along, at - through)) > 0.05) return;
         sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
         draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
-                   sketch_.theme.secondary, dashes());
+                   sketch_.theme.secondary);
         const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
                                          [](const Truss::External& external) { return external.joint == none; });
         if (loads < 2) return;  // a single load has its own letter
@@ -379,7 +421,7 @@ private:
         const double away = length(meet - pin);
         if (!std::isfinite(away)) return;  // out of the range of doubles
         const Spot along = (1 / away) * (meet - pin), tip = pin + (off + size) * along;
-        draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary, dashes());
+        draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary);
         RichText text = typeset(Symbol{Symbol::Letter::point, named.name, ""}, sketch_.context.language);
         if (const auto from = name_of_point_at(sketch_, pin)) append(text, how_far(sketch_, *from, text, away));
         LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.text, tip, 1.2, named.statement);
@@ -404,7 +446,7 @@ private:
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
         if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
         const std::size_t first = sketch_.construction.size();
-        draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text);
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
                                                 at + 0.5 * size * along, 1.2, sum.force_statement);
@@ -475,6 +517,7 @@ private:
                                                  name,
                                                  {{"data-name", name}, {"data-value", shortest(value)}},
                                                  vector.statement});
+            figure.marks.emplace_back(Axis{tail, tip});
             figure.marks.emplace_back(line(tail, tip, thin_pen_of(context_.theme, sense_of(solution_, bar))));
             figure.marks.emplace_back(GroupEnd{});
             figure.axes.push_back({name, tail, tip, {}});
@@ -532,6 +575,7 @@ private:
                        {{"data-name", name},
                         {"data-value", shortest(solution_.protocol.modulus_of(vector) / scene_.unit.si.to_double())}},
                        vector.statement});
+        figure.marks.emplace_back(Axis{tail + aside, tip + aside});
         draw_arrow(figure.marks, tail + aside, tip + aside, context_.theme.vector, context_.theme.text);
         figure.marks.emplace_back(GroupEnd{});
         figure.axes.push_back({name, tail, tip, {}});
@@ -630,7 +674,15 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y,
         SpaceDiagram(sketch).draw();
         name_points(sketch);
         Figure figure = sketch.finish(begun(context, {FigureKind::truss}), "m");
-        sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
+        if (!context.solution.truss->externals.empty())
+            figure.further_scale = word(lang::sheet::arrows_not_to_scale, context.language);
+        const SenseKey key(context, 1);
+        sketch.close(figure, {room_x, room_y - key.height()}, trial.last, trial.scale, subject.mechanism.units.length,
+                     trial.strict);
+        if (!std::holds_alternative<GroupEnd>(figure.marks.back())) return figure;  // too large: nothing was placed
+        figure.marks.pop_back();
+        key.set(figure);
+        figure.marks.emplace_back(GroupEnd{});
         return figure;
     });
 }
@@ -642,16 +694,19 @@ Figure cremona_figure(const DrawingContext& context, double room_x, double room_
         .room = Spot{room_x, room_y}, .first = std::max(first, wish.finest), .asked = wish.asked, .most_trials = 14};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = plan.at(trial.scale);
-        if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - 8))
+        const SenseKey key(context, in_plan);
+        const double below = 8 + key.height();
+        if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - below))
             return std::nullopt;
-        place_labels(figure, context.fonts, Spot{room_x, room_y - 8});
+        place_labels(figure, context.fonts, Spot{room_x, room_y - below});
         std::vector<Mark> bar;
         draw_scale_bar(bar, context.fonts, context.theme, {0, 0}, 24, figure.scale, 1, figure.unit, context.language);
         const Box size = box_of(bar);
         render::move(bar, figure.box.min.x - size.min.x, figure.box.max.y + 3 - size.min.y);
         figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
-        figure.marks.emplace_back(GroupEnd{});
         figure.box = box_of(figure.marks);
+        key.set(figure);
+        figure.marks.emplace_back(GroupEnd{});
         return figure;
     });
 }
@@ -668,7 +723,7 @@ void measure_truss(const Shown& shown, FigureId id, SizeWanted& size) {
     // The bars; strings run between their letters, too.
     constexpr double least_of_bars = 48, nothing = 1e-30;
     size.least = least_of_bars * size.extent() / std::max(bars, nothing);
-    size.weight = 1.5;
+    size.weight = 3;  // it leads: its polygons are read with it
 }
 Figure draw_truss(const Shown& shown, FigureId /*one*/, Spot room, const ScaleWish& wish) {
     return truss_figure(shown.context, room.x, room.y, wish);

@@ -58,7 +58,7 @@ export class Exercise {
     }
     /** @param {FigureView} view */
     tasksOf(view) {
-        return tasksOf(view, (statement) => this.unknownIn(statement, view.id.startsWith('forces')));
+        return tasksOf(view, (statement) => this.unknownIn(statement, /^(forces|parts)/.test(view.id)));
     }
     /**
      * Reads the table under a sentence, a row for each term: its sign, name, whether its magnitude is known, whether

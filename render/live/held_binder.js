@@ -187,7 +187,7 @@ export class HeldBinder {
             const [a, b] = form === 'segment' || form === 'arc' ? on.map((each) => this.held.place(each)) : [];
             const value =
                 form === 'couple'
-                    ? Math.abs(this.held.couple(on[1])) / unit
+                    ? this.held.couple(on[1]) / unit
                     : a && b
                       ? (apart(a, b) * view.scale) / unit
                       : this.held.sizeOf(on) / unit;

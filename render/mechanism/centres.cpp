@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/sentences/centre_symbol.hpp"
+#include "render/mechanism/near_places.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
@@ -85,8 +86,10 @@ private:
 
     /// Classifies each centre: near the mechanism, distant, or at infinity.
     void locate() {
-        view_ = sketch_.mechanism_box();
-        const Box near = grown(view_, 0.6 * sketch_.size());
+        std::vector<Spot> places;
+        for (const InstantCentre& centre : all_)
+            if (centre.at && !centre.at->at_infinity()) places.push_back(sketch_.spot(centre.at->place()));
+        view_ = with_near_places(sketch_.mechanism_box(), std::move(places), growth_for_places * sketch_.size());
         for (std::size_t c = 0; c < all_.size(); ++c) {
             if (!all_[c].at) continue;
             if (all_[c].at->at_infinity()) {
@@ -96,9 +99,7 @@ private:
             }
             place_[c] = sketch_.spot(all_[c].at->place());
             if (!std::isfinite(place_[c].x) || !std::isfinite(place_[c].y)) continue;  // beyond the range of doubles
-            where_[c] = contains(near, place_[c]) ? Where::here : Where::far;
-            if (where_[c] != Where::here) continue;
-            view_.include(place_[c]);
+            where_[c] = contains(view_, place_[c]) ? Where::here : Where::far;
         }
         take_in_what_is_beside();
         view_ = grown(view_, rim);
@@ -295,7 +296,6 @@ private:
     struct Shaft {
         Spot base, along;
         double length = 3;
-        bool broken = false;
     };
     Shaft shaft_of(std::size_t c) const {
         if (where_[c] == Where::infinity && is_primary(c))
@@ -304,7 +304,7 @@ private:
                     return shaft_from_slide(joint.point, place_[c]);
         if (!arrows_[c].empty()) {
             const auto& [base, along] = arrows_[c].front();
-            return where_[c] == Where::far ? Shaft{base, along, broken_end, true} : Shaft{base, along};
+            return where_[c] == Where::far ? Shaft{base, along, broken_end} : Shaft{base, along};
         }
         const Spot start = sketch_.shape(all_[c].second).middle;
         return {start, where_[c] == Where::infinity ? place_[c] : unit(place_[c] - start), 18};
@@ -331,8 +331,7 @@ private:
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
-            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary,
-                       shaft.broken ? dashes() : std::vector<double>{});
+            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary);
             // Both lines name their target.
             for (std::size_t k = 1; k < arrows_[d].size(); ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,

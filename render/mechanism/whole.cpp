@@ -121,6 +121,8 @@ void draw_alone(Sketch& sketch, BodyIndex body) {
             sketch.bodies.push_back(mark);
     }
     draw_outline(sketch, sketch.shape(body), heavy, sketch.theme.colour_of(body));
+    for (const Cylinder& cylinder : sketch.cylinders())
+        if (sketch.mechanism.joint(cylinder.joint).bodies[1] == body) draw_barrel(sketch, cylinder, sketch.bodies);
     draw_sliding_parts(sketch, body, sketch.bodies);
     sketch.bodies.emplace_back(GroupEnd{});
     std::vector<Spot> done;

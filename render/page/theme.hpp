@@ -16,7 +16,8 @@ namespace kinegraph::render {
 struct BodyColour {
     Colour line, tint, letter;
     /// Line kind, for themes whose colours do not distinguish all bodies: dash, gap, dash … (mm); empty: full line.
-    /// With a line kind, links are outlines with these dashes inside; vectors, blocks and wheels are drawn dashed.
+    /// With a line kind, links are outlines with these dashes inside; blocks and wheels are drawn dashed. Vectors are
+    /// solid, because a dashed side is an internal force.
     std::vector<double> dashes{};
 };
 

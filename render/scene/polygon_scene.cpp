@@ -126,6 +126,9 @@ private:
             shown.tip = place(vector.tip);
             shown.value = value;
             shown.body = vector.body;
+            const Part part = part_shown_by(vector);
+            shown.is_part = part.force != nullptr && (part.force->kind == AppliedForce::Kind::reaction ||
+                                                      part.force->kind == AppliedForce::Kind::effort);
             shown.falls_out = scene_.kind == PolygonScene::Kind::closure && vector.role == DrawnVector::Role::internal;
             shown.has_right_angles =
                 vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
@@ -164,7 +167,36 @@ private:
         if (solution_.superposition)
             for (const Superposition::Sum& sum : solution_.superposition->sums)
                 if (sum.polygon == index_) return solution_.superposition->statement;
-        return none;
+        return statement_of_part(vector);
+    }
+    /// What a side shows of a body under the loads of one body, in a polygon that joins such parts.
+    struct Part {
+        const FreeBody* body = nullptr;
+        const AppliedForce* force = nullptr;
+    };
+    const Superposition::Joined* joined() const {
+        if (!solution_.superposition) return nullptr;
+        const auto& all = solution_.superposition->joined;
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.polygon == index_; });
+        return found == all.end() ? nullptr : &*found;
+    }
+    Part part_shown_by(const DrawnVector& vector) const {
+        const Superposition::Joined* const of = joined();
+        if (of == nullptr) return {};
+        for (const Superposition::Part& part : solution_.superposition->parts)
+            for (const FreeBody& body : part.bodies)
+                if (body.body == of->body && body.pin == of->pin)
+                    for (const AppliedForce& each : body.forces)
+                        if (each.symbol == vector.symbol) return {&body, &each};
+        return {};
+    }
+    /// A polygon that joins parts is drawn load by load: a side by the statement that closes the body under that load,
+    /// the sums by the one that adds them.
+    StatementIndex statement_of_part(const DrawnVector& vector) const {
+        if (joined() == nullptr) return none;
+        const Part part = part_shown_by(vector);
+        return part.body != nullptr ? part.body->statement : solution_.superposition->statement;
     }
 
     void add_faces() {

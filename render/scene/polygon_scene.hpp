@@ -20,6 +20,7 @@ struct SceneVector {
     Place tail, tip;
     double value = 0;  ///< the double nearest to the exact length
     BodyIndex body = none;
+    bool is_part = false;             ///< a partial force in a polygon that joins those of a body
     bool falls_out = false;           ///< an inner side of joined polygons, which cancels
     bool has_right_angles = false;    ///< a line through one of its ends is perpendicular to it by construction
     StatementIndex statement = none;  ///< none: given

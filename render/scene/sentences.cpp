@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <variant>
 
 #include "engine/number/assert.hpp"
 #include "lang/keys/sheet.hpp"
@@ -42,6 +44,84 @@ Key steps_heading(Topic topic) {
         case Topic::unnamed: break;
     }
     KG_ASSERT(false, "a sentence has a topic");
+}
+
+bool follows_velocities(Key sentence) { return sentence == lang::sentences::centre_from_velocities; }
+
+namespace {
+
+/// A sentence about one subject and that about several. What the places `listed` hold differs, and is listed; what is
+/// behind the last place of `kept` is left out; all else is the same.
+struct SeveralSubjects {
+    Key one, several;
+    std::vector<std::size_t> listed;
+    std::size_t kept = std::numeric_limits<std::size_t>::max();
+
+    bool lists(std::size_t place) const { return std::find(listed.begin(), listed.end(), place) != listed.end(); }
+};
+
+const SeveralSubjects* several_subjects_of(Key sentence) {
+    using namespace lang::sentences;
+    static const std::array all{
+        SeveralSubjects{crank_velocity, crank_velocities, {2, 3}},
+        SeveralSubjects{crank_acceleration, crank_accelerations, {2, 3}},
+        SeveralSubjects{image_velocity, image_velocities, {0, 2}},
+        SeveralSubjects{image_acceleration, image_accelerations, {0, 2}},
+        SeveralSubjects{image_acceleration_without_omega, image_accelerations_without_omega, {0, 2}},
+        SeveralSubjects{translating_velocity, translating_velocities, {1, 2}},
+        SeveralSubjects{translating_acceleration, translating_accelerations, {1, 2}},
+        SeveralSubjects{centre_from_velocities, centres_from_velocities, {0}, 1}};
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.one == sentence; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+bool are_same(const Argument& first, const Argument& second) {
+    if (const auto* point = std::get_if<PointName>(&first))
+        return std::holds_alternative<PointName>(second) && std::get<PointName>(second).name == point->name;
+    if (const auto* body = std::get_if<BodyName>(&first))
+        return std::holds_alternative<BodyName>(second) && std::get<BodyName>(second).name == body->name;
+    if (const auto* symbol = std::get_if<Symbol>(&first))
+        return std::holds_alternative<Symbol>(second) && std::get<Symbol>(second) == *symbol;
+    const auto* text = std::get_if<std::string>(&first);
+    return text != nullptr && std::holds_alternative<std::string>(second) && std::get<std::string>(second) == *text;
+}
+
+/// The list of what one place holds in each message.
+Argument list_of(const std::vector<const Message*>& messages, std::size_t place) {
+    Names names;
+    Symbols symbols;
+    for (const Message* message : messages)
+        if (const auto* symbol = std::get_if<Symbol>(&message->arguments[place]))
+            symbols.push_back(*symbol);
+        else
+            names.push_back(std::get<PointName>(message->arguments[place]).name);
+    if (names.empty()) return symbols;
+    return names;
+}
+
+}  // namespace
+
+bool may_be_told_together(const Message& first, const Message& second) {
+    const SeveralSubjects* const form = several_subjects_of(first.sentence);
+    if (form == nullptr || second.sentence != first.sentence || second.arguments.size() != first.arguments.size())
+        return false;
+    for (std::size_t place = 0; place < std::min(form->kept, first.arguments.size()); ++place) {
+        const Argument &one = first.arguments[place], &other = second.arguments[place];
+        if (form->lists(place) ? one.index() != other.index() : !are_same(one, other)) return false;
+    }
+    return true;
+}
+
+Message told_together(const std::vector<const Message*>& messages) {
+    const SeveralSubjects* const form = several_subjects_of(messages.front()->sentence);
+    KG_ASSERT(form != nullptr && messages.size() > 1, "sentences that are told together");
+    Message all{form->several, {}};
+    for (std::size_t place = 0; place < std::min(form->kept, messages.front()->arguments.size()); ++place)
+        all.arguments.push_back(form->lists(place) ? list_of(messages, place) : messages.front()->arguments[place]);
+    for (const Message* message : messages)
+        all.worked_arithmetic.insert(all.worked_arithmetic.end(), message->worked_arithmetic.begin(),
+                                     message->worked_arithmetic.end());
+    return all;
 }
 
 namespace {

@@ -14,6 +14,14 @@ Key steps_heading(Topic topic);
 /// Whether the list of centres contains the same information.
 bool told_by_list(Key sentence);
 
+/// Whether two sentences differ only in the subjects that one sentence can list: points of a body that moves alike.
+bool may_be_told_together(const Message& first, const Message& second);
+/// The sentence that says the same of all subjects, with the arithmetic of each. At least two messages, each of which
+/// may be told together with the first.
+Message told_together(const std::vector<const Message*>& messages);
+/// Whether it uses the velocities, whatever it is about, so that it stands after them.
+bool follows_velocities(Key sentence);
+
 /// Whether a statement only follows from another (images, equal rotations), so that a brief solution omits it. False if
 /// it introduces a name that another statement uses.
 bool is_incidental(const std::vector<Statement>& statements, std::size_t which);

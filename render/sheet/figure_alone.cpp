@@ -95,9 +95,9 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
                 add(name, *std::move(figure));
         return all;
     }
-    const WantedFigures wanted(context, options.joukowsky, options.detail);
+    const WantedFigures wanted(context, options.joukowsky, options.detail, options.superposed);
     for (const FigureId id : choices(wanted))
-        if (!row_of(id.kind).size.spare)
+        if (!row_of(id.kind).size.spare && !wanted.is_replaced(id))
             add(name_of(solution, id), drawn_alone(wanted, id, {2 * format.measure + gap, tallest_alone}));
     for (const std::string& name : contact_figure_names(solution, options, fonts))
         if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone}))

@@ -31,7 +31,7 @@ public:
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           after_(options.pages_after),
-          wanted_(context_, options.joukowsky, options.detail),
+          wanted_(context_, options.joukowsky, options.detail, options.superposed),
           bands_(context_, wanted_, options.detail),
           kept_(std::move(kept)),
           measured_(context_, wanted_, format_, kept_),

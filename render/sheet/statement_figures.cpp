@@ -57,11 +57,15 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
     for (const Statement& statement : statements())
         if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
             sections.push_back(statement.section);
+    const bool has_velocities = std::find(sections.begin(), sections.end(), Topic::velocity) != sections.end();
+    const auto section_of = [&](const Statement& statement) {
+        return has_velocities && follows_velocities(statement.message.sentence) ? Topic::velocity : statement.section;
+    };
     std::vector<StatementIndex> order;
     for (const Topic section : sections)
         for (const bool again : {false, true})
             for (const StatementIndex i : indices_of(statements()))
-                if (statement(i).section == section &&
+                if (section_of(statement(i)) == section &&
                     (statement(i).message.sentence == lang::sentences::second_way) == again)
                     order.push_back(i);
     return order;
@@ -69,10 +73,13 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
 
 FigureId StatementFigures::figure_of_forces(StatementIndex statement) const {
     const LoadCase loads(solution_, part_of(solution_, statement));
-    const FigureId sums{FigureKind::partial_sums}, forces{FigureKind::forces, -1, loads.part()};
+    const FigureId sums{FigureKind::partial_sums}, parts{FigureKind::joined_parts},
+        forces{FigureKind::forces, -1, loads.part()};
     if (solution_.superposition && solution_.superposition->statement == statement)
-        return wanted_.named(sums) ? sums : forces;
-    if (wanted_.named(forces) && completes_a_polygon(loads, statement)) return forces;
+        return wanted_.joins_parts() ? parts : wanted_.named(sums) ? sums : forces;
+    const bool completes = completes_a_polygon(loads, statement);
+    if (completes && loads.is_alone() && wanted_.joins_parts()) return parts;
+    if (wanted_.named(forces) && completes) return forces;
     return {FigureKind::lines_of_action, -1, loads.part()};
 }
 

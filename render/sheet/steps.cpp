@@ -137,7 +137,7 @@ public:
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           after_(options.pages_after),
-          wanted_(context_, false),
+          wanted_(context_, false, options.detail, options.superposed),
           shown_by_(solution, wanted_),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
@@ -234,7 +234,8 @@ private:
         step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
                      !contents.found(names_cited(solution_, {index}, context_.language)).empty();
         // Loads acting alone begin a new sequence.
-        const bool begins = statement.message.sentence == lang::sentences::superposition;
+        const bool begins = statement.message.sentence == lang::sentences::superposition ||
+                            statement.message.sentence == lang::sentences::superposition_next;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
             steps_.back().height + height > prose_.height() - head_height) {
             steps_.push_back(std::move(step));

@@ -762,6 +762,7 @@ struct RolesOfBody {
     std::vector<PointIndex> hinges;
     bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
     bool is_rod = false, is_barrel = false;
+    bool meshes = false, presses = false;  ///< teeth; a profile that slides on another body's
 };
 
 RolesOfBody roles_of(BodyIndex index, const Mechanism& mechanism) {
@@ -781,26 +782,71 @@ RolesOfBody roles_of(BodyIndex index, const Mechanism& mechanism) {
                 (found == joint.bodies.begin() ? roles.is_rod : roles.is_barrel) = true;
         }
         if (joint.pair().is_slot() && found != joint.bodies.begin()) roles.carries_guide = true;
+        roles.meshes = roles.meshes || joint.pair().meshes();
+        roles.presses = roles.presses || (joint.pair().touches() && joint.pair().slides());
     }
     for (const Driver& driver : mechanism.drivers)
         if (const auto* spin = std::get_if<SpinDriver>(&driver)) roles.driven = roles.driven || spin->body == index;
     return roles;
 }
 
-/// The key of the textbook term for a body with these roles.
+/// Whether a driven body on the frame presses on it, and it is on the frame, too.
+bool is_follower(BodyIndex index, const RolesOfBody& roles, const Mechanism& mechanism) {
+    if (!roles.presses || roles.driven || !(roles.on_frame || roles.slides_on_frame)) return false;
+    return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+        if (!joint.pair().touches() || !joint.pair().slides() || !joint.connects(index)) return false;
+        const RolesOfBody other = roles_of(other_of(joint, index), mechanism);
+        return other.driven && other.on_frame;
+    });
+}
+/// Whether it is driven and presses on a follower.
+bool is_cam(BodyIndex index, const RolesOfBody& roles, const Mechanism& mechanism) {
+    return roles.driven && roles.on_frame && roles.presses &&
+           std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+               if (!joint.pair().touches() || !joint.pair().slides() || !joint.connects(index)) return false;
+               const BodyIndex other = other_of(joint, index);
+               return other != frame && is_follower(other, roles_of(other, mechanism), mechanism);
+           });
+}
+/// Whether all its points are on one line that is nearer to the horizontal than to the vertical.
+bool lies_straight(BodyIndex index, const Solution& solution) {
+    const std::vector<PointIndex>& points = solution.mechanism.body(index).points;
+    if (points.size() < 2) return false;
+    const Vector& first = solution.pose.at(points.front());
+    const Vector along = solution.pose.at(points.back()) - first;
+    return abs(along.y) < abs(along.x) && std::all_of(points.begin(), points.end(), [&](PointIndex point) {
+               return cross(along, solution.pose.at(point) - first).is_zero();
+           });
+}
+
+/// What a body is by its profile or in a structure that cannot move; none: neither.
+std::optional<Key> kind_by_profile(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
+    const Mechanism& mechanism = solution.mechanism;
+    const auto& circle = mechanism.body(index).circle;
+    if (roles.meshes) return roles.slides_on_frame ? lang::sheet::rack : lang::sheet::gear;
+    if (is_follower(index, roles, mechanism)) return lang::sheet::follower;
+    if (is_cam(index, roles, mechanism)) return lang::sheet::cam;
+    if (!circle) return std::nullopt;
+    const bool is_pinned = std::find(roles.hinges.begin(), roles.hinges.end(), circle->centre) != roles.hinges.end();
+    return is_pinned ? lang::sheet::wheel : lang::sheet::disc;
+}
+
+/// The key of the textbook term for a body with these roles. In a structure that cannot move nothing swings or cranks.
 Key kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
-    return solution.mechanism.bodies[at_index(index)].circle ? lang::sheet::disc
-           : roles.slides_on_frame                           ? lang::sheet::slider
-           : roles.is_barrel                                 ? lang::sheet::cylinder
-           : roles.is_rod                                    ? lang::sheet::rod
-           : roles.carries_guide                             ? lang::sheet::slotted_link
-           : roles.slides                                    ? lang::sheet::sleeve
-           : roles.on_frame && roles.driven                  ? lang::sheet::crank
-           : goes_round(index, solution)                     ? lang::sheet::crank
-           : carries_wheel(index, solution)                  ? lang::sheet::arm
-           : roles.on_frame && roles.hinges.size() == 2      ? lang::sheet::rocker
-           : !roles.on_frame && roles.hinges.size() >= 2     ? lang::sheet::coupler
-                                                             : lang::sheet::link;
+    if (const auto kind = kind_by_profile(index, roles, solution)) return *kind;
+    if (solution.mobility.effective == 0 && !roles.is_barrel && !roles.is_rod)
+        return lies_straight(index, solution) ? lang::sheet::beam : lang::sheet::body;
+    return roles.slides_on_frame                         ? lang::sheet::slider
+           : roles.is_barrel                             ? lang::sheet::cylinder
+           : roles.is_rod                                ? lang::sheet::rod
+           : roles.carries_guide                         ? lang::sheet::slotted_link
+           : roles.slides                                ? lang::sheet::sleeve
+           : roles.on_frame && roles.driven              ? lang::sheet::crank
+           : goes_round(index, solution)                 ? lang::sheet::crank
+           : carries_wheel(index, solution)              ? lang::sheet::arm
+           : roles.on_frame && roles.hinges.size() >= 2  ? lang::sheet::rocker
+           : !roles.on_frame && roles.hinges.size() >= 2 ? lang::sheet::coupler
+                                                         : lang::sheet::body;
 }
 
 /// "80 mm". A given length is shown as given, a derived one to four digits.

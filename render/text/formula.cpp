@@ -17,7 +17,8 @@ bool is_upright(std::string_view index) {
 
 Piece symbol(std::string_view name) {
     Piece piece;
-    piece.face = Face::italic;
+    piece.face = name.starts_with('!') ? Face::bold_italic : Face::italic;
+    if (name.starts_with('!')) name.remove_prefix(1);
     const std::size_t power = name.find('^');
     if (power != std::string_view::npos) piece.sup = name.substr(power + 1);
     name = name.substr(0, power);
@@ -78,6 +79,13 @@ RichText formula(std::string_view text) {
         }
     }
     flush();
+    return set;
+}
+
+RichText vector_formula(std::string_view text) {
+    RichText set = formula(text);
+    for (Piece& piece : set)
+        if (piece.face == Face::italic) piece.face = Face::bold_italic;
     return set;
 }
 

@@ -12,8 +12,10 @@
 namespace kinegraph::render {
 
 /// Rich text from a template: {p_0} is the letter p with the subscript 0, {a^2} has an exponent, ^{1/3} is an exponent
-/// of what precedes it. Letters are italic, digits of subscripts upright.
+/// of what precedes it, {!v} is a vector. Letters are italic, those of vectors bold, digits of subscripts upright.
 RichText formula(std::string_view text);
+/// The same for names of vectors: letters are bold italic.
+RichText vector_formula(std::string_view text);
 /// A symbol by its name in results: "p_0", "τ_max".
 RichText symbol_of(const std::string& name);
 

@@ -17,6 +17,7 @@
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "lang/pattern.hpp"
+#include "render/text/formula.hpp"
 #include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
@@ -25,6 +26,18 @@ namespace {
 bool digits_only(std::string_view text) {
     return !text.empty() &&
            std::all_of(text.begin(), text.end(), [](char c) { return (c >= '0' && c <= '9') || c == ',' || c == '.'; });
+}
+
+/// A word, such as "cut" or "Gas2", describes and is upright; the letters of points and bodies are italic, as AB or b.
+bool is_word(std::string_view text) {
+    std::size_t small = 0;  // letters in a row that are no capitals
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte & 0xC0U) == 0x80U) continue;  // within a character
+        small = (c >= 'a' && c <= 'z') || byte >= 0x80U ? small + 1 : 0;
+        if (small == 2) return true;
+    }
+    return false;
 }
 
 Piece piece(std::string_view text, Face face = Face::regular) {
@@ -215,7 +228,9 @@ public:
             if (place) {
                 put_place(*place);
                 i = place->end;
-            } else if (first == '[')
+            } else if (first == '{')
+                i = put_letter(pattern, i);
+            else if (first == '[')
                 i = put_optional_part(pattern, i);
             else
                 i += put_text(pattern.substr(i));
@@ -231,6 +246,13 @@ private:
         plain_text_.clear();
     }
 
+    /// "{m}", a letter of a formula, at `begin`; returns the index after it.
+    std::size_t put_letter(std::string_view pattern, std::size_t begin) {
+        const std::size_t behind = pattern.find('}', begin) + 1;
+        flush();
+        append(to_, formula(pattern.substr(begin, behind - begin)));
+        return behind;
+    }
     void put_place(const lang::Place& place) {
         const bool given = place.argument < arguments_.size() && !is_empty(arguments_[place.argument]);
         if (place.chooses)
@@ -515,7 +537,7 @@ RichText typeset(const Symbol& symbol, Language language) {
     const bool of_body = symbol.letter == Letter::F && !result.sub.empty() &&
                          (result.sub[0] == 'g' || result.sub[0] == 'i') &&
                          (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
-    result.sub_face = of_body || digits_only(result.sub) ? Face::regular : Face::italic;
+    result.sub_face = of_body || digits_only(result.sub) || is_word(result.sub) ? Face::regular : Face::italic;
     result.sup = notation(language).term(symbol.term);
     return {result};
 }

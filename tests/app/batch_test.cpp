@@ -118,6 +118,27 @@ TEST_F(Batch, TakesTheOptionsOfSolve) {
     EXPECT_TRUE(all[3]["svg"][0] == as_solve("--detail brief --orientation portrait -o s.svg"));
 }
 
+TEST_F(Batch, SuperposesLoadsAsSolveDoes) {
+    fs::copy(example_file("four_bar_weights"), folder_);
+    const Outcome outcome = batch(R"({"file": "four_bar_weights.json", "want": ["svg"]}
+{"file": "four_bar_weights.json", "want": ["svg"], "superposition": "each"}
+)",
+                                  "");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto all = answers(outcome.out);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(run("solve four_bar_weights.json --superposition joined -o joined.svg").status, 0);
+    EXPECT_EQ(run("solve four_bar_weights.json --superposition each -o each.svg").status, 0);
+    EXPECT_TRUE(all[0]["svg"][0] == contents(folder_ / "joined.svg"));
+    EXPECT_TRUE(all[1]["svg"][0] == contents(folder_ / "each.svg"));
+    EXPECT_FALSE(all[0]["svg"] == all[1]["svg"]);
+    for (const char* other : {"--detail brief", "--sheet question", "--sheet answers"}) {
+        const Outcome refused = run(std::string("solve four_bar_weights.json --superposition each -o r.svg ") + other);
+        EXPECT_EQ(refused.status, 2) << other;
+        EXPECT_NE(refused.err.find("--superposition each"), std::string::npos) << refused.err;
+    }
+}
+
 TEST_F(Batch, WrongLinesSayWhyAndStopNothing) {
     const struct {
         const char* line;

@@ -100,6 +100,7 @@ struct Statics {
             {single_reaction, "opposite"},
             {zero_forces, "nothing"},
             {superposition, "alone"},
+            {superposition_next, "alone"},
             {superposition_sum, "sum"},
             {trial, "trial"},
         };

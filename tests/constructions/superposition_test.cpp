@@ -159,13 +159,65 @@ TEST_P(Superposed, EachPartIsInEquilibrium) {
     }
 }
 
-TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
-    const Solution& solution = example(GetParam());
+std::set<std::string> figures_on(const std::vector<Page>& pages) {
     std::set<std::string> figures;
-    for (const Page& page : lay_out(solution, {}, fonts()))
+    for (const Page& page : pages)
         for (const Mark& mark : page.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
                 figures.insert(group->id);
+    return figures;
+}
+
+/// The polygon of a body closes with its loads and the sums of its reactions; each sum spans its parts, tip to tail,
+/// and there is a part for each load that causes one.
+TEST_P(Superposed, JoinsThePartsOfABodyInOnePolygon) {
+    const Solution& solution = example(GetParam());
+    const Protocol& protocol = solution.protocol;
+    const auto is_part = [](const DrawnVector& vector) { return vector.symbol.term.starts_with("("); };
+    EXPECT_EQ(solution.superposition->joined.size(), 3U);
+    for (const Superposition::Joined& joined : solution.superposition->joined) {
+        const Polygon& polygon = protocol.polygons[at_index(joined.polygon)];
+        SCOPED_TRACE(polygon.id);
+        ElementIndex here = protocol.vectors[at_index(polygon.vectors.front())].tail;
+        const ElementIndex start = here;
+        Vector outer;
+        std::size_t parts = 0, sums = 0;
+        ElementIndex begin = none;
+        for (const int index : polygon.vectors) {
+            const DrawnVector& vector = protocol.vectors[at_index(index)];
+            if (is_part(vector) || vector.quantity.kind != Quantity::Kind::force) {
+                EXPECT_EQ(vector.tail, here) << name_of(vector.symbol);
+                here = vector.tip;
+                if (is_part(vector) && begin == none) begin = vector.tail;
+                parts += is_part(vector) ? 1 : 0;
+            }
+            if (is_part(vector)) continue;
+            outer = outer + protocol.value_of(vector);
+            if (vector.quantity.kind != Quantity::Kind::force) continue;
+            EXPECT_EQ(vector.tail, begin) << "a sum begins with its parts: " << name_of(vector.symbol);
+            EXPECT_EQ(vector.tip, here) << "and ends with them: " << name_of(vector.symbol);
+            begin = none;
+            ++sums;
+        }
+        EXPECT_TRUE(outer.is_zero());
+        EXPECT_TRUE((protocol.point(here).place() - protocol.point(start).place()).is_zero());
+        EXPECT_GE(sums, 2U);
+        EXPECT_GE(parts, 3U);
+    }
+}
+
+TEST_P(Superposed, HasTheLinesOfEachLoadAndOnePolygonOfEachBody) {
+    const std::set<std::string> figures = figures_on(lay_out(example(GetParam()), {}, fonts()));
+    for (const char* id : {"lines-load-2", "lines-load-3", "lines-load-4", "parts-2", "parts-3", "parts-4"})
+        EXPECT_TRUE(figures.contains(id)) << id;
+    for (const char* id : {"forces-3-load-3", "body-3-load-3", "sum-F_12"}) EXPECT_FALSE(figures.contains(id)) << id;
+}
+
+TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
+    const Solution& solution = example(GetParam());
+    SheetOptions options;
+    options.superposed = SuperposedLoads::each;
+    const std::set<std::string> figures = figures_on(lay_out(solution, options, fonts()));
     for (const char* id :
          {"lines-load-2", "lines-load-3", "lines-load-4", "forces-3-load-3", "forces-4-load-4", "sum-F_12", "sum-F_14"})
         EXPECT_TRUE(figures.contains(id)) << id;
@@ -174,13 +226,14 @@ TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
 /// In steps each load has pages of its own: what opens them shows its lines, what closes a polygon that polygon.
 TEST_P(Superposed, EachLoadHasPagesOfItsOwn) {
     const Solution& solution = example(GetParam());
-    std::set<std::string> figures;
-    for (const Page& page : lay_out_steps(solution, {}, fonts()))
-        for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
-                figures.insert(group->id);
+    const std::set<std::string> joined = figures_on(lay_out_steps(solution, {}, fonts()));
+    for (const char* id : {"lines-load-2", "lines-load-3", "lines-load-4", "parts-3", "parts-4"})
+        EXPECT_TRUE(joined.contains(id)) << id;
+    SheetOptions options;
+    options.superposed = SuperposedLoads::each;
+    const std::set<std::string> each = figures_on(lay_out_steps(solution, options, fonts()));
     for (const char* id : {"lines-load-2", "lines-load-3", "lines-load-4", "forces-3-load-3", "sum-F_12"})
-        EXPECT_TRUE(figures.contains(id)) << id;
+        EXPECT_TRUE(each.contains(id)) << id;
 }
 
 TEST_P(Superposed, SaysItsSums) {

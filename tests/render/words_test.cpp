@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -35,6 +36,7 @@
 #include "lang/keys/units.hpp"
 #include "lang/keys/wishes.hpp"
 #include "lang/pattern.hpp"
+#include "render/scene/sentences.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/pages.hpp"
 
@@ -64,7 +66,8 @@ const std::set<std::string>& said_in_sources() {
     static const std::set<std::string> said = [] {
         std::set<std::string> found;
         static const std::regex use("(?:sentences|phrases)::([a-z_]+)");
-        for (const char* room : {"engine", "constructions", "app"})
+        // Those that say the same of several subjects are chosen where sentences are told together.
+        for (const char* room : {"engine", "constructions", "app", "render/scene"})
             for (const auto& file : std::filesystem::recursive_directory_iterator(
                      std::filesystem::path(KINEGRAPH_TESTS_DIR).parent_path() / room)) {
                 if (file.path().extension() != ".cpp") continue;
@@ -230,6 +233,56 @@ INSTANTIATE_TEST_SUITE_P(Words, EverySentence, testing::ValuesIn(all_sentences()
 /// A sentence that no recipe says is dead; the sources are searched for each by its name.
 TEST_P(EverySentence, IsSaidSomewhere) {
     EXPECT_TRUE(said_in_sources().count(GetParam().name()) != 0) << GetParam().name();
+}
+
+/// The face of the first piece with this text.
+std::optional<render::Face> face_of(const RichText& text, const std::string& words) {
+    for (const Piece& each : text)
+        if (each.text == words) return each.face;
+    return std::nullopt;
+}
+
+TEST(Words, SetLettersOfQuantitiesItalicInEveryLanguage) {
+    const Symbol force{Symbol::Letter::F, "i3", ""}, couple{Symbol::Letter::M, "i3", ""};
+    const Symbol a{Symbol::Letter::a, "G", ""}, alpha{Symbol::Letter::alpha, "3", ""};
+    for (const Language language : languages) {
+        const RichText of_force =
+            say({lang::sentences::inertia_force, {BodyName{"3"}, force, a, PointName{"G"}}}, language);
+        const RichText of_couple = say({lang::sentences::inertia_couple, {BodyName{"3"}, couple, alpha}}, language);
+        const RichText moved = say({lang::sentences::inertia_moved, {BodyName{"3"}, force, couple}}, language);
+        EXPECT_EQ(face_of(of_force, "m"), render::Face::italic) << plain(of_force);
+        EXPECT_EQ(face_of(of_couple, "J"), render::Face::italic) << plain(of_couple);
+        EXPECT_EQ(face_of(moved, "d"), render::Face::italic) << plain(moved);
+    }
+}
+
+TEST(Words, OfSubscriptsAreUprightAndNamesItalic) {
+    const auto subscript = [](const std::string& name) {
+        return typeset(Symbol{Symbol::Letter::F, name, ""}, Language::en).front().sub_face;
+    };
+    for (const char* word : {"F_cut", "F_gas", "F_hand", "F_Schnitt", "cut", "g2", "12"})
+        EXPECT_EQ(subscript(word), render::Face::regular) << word;
+    for (const char* name : {"B", "AB", "p", "R4", "β"}) EXPECT_EQ(subscript(name), render::Face::italic) << name;
+}
+
+/// Sentences that differ in points alone are one sentence with all of them; what differs otherwise stays apart.
+TEST(Words, OfSeveralPointsAreToldTogether) {
+    const auto translating = [](const char* body, const char* point) {
+        return Message{lang::sentences::translating_velocity,
+                       {BodyName{body}, PointName{point}, Symbol{Symbol::Letter::v, point, ""}}};
+    };
+    const Message b = translating("4", "B"), c = translating("4", "C"), other = translating("5", "D");
+    EXPECT_TRUE(may_be_told_together(b, c));
+    EXPECT_FALSE(may_be_told_together(b, other));
+    EXPECT_FALSE(may_be_told_together(b, {lang::sentences::translating_acceleration, b.arguments}));
+    EXPECT_EQ(plain(say(told_together({&b, &c}), Language::en)), "Body 4 translates, so B, C move alike: v_B, v_C.");
+    const auto turning = [](const char* point, const char* omega) {
+        return Message{lang::sentences::crank_velocity,
+                       {BodyName{"2"}, PointName{"O"}, PointName{point}, Symbol{Symbol::Letter::v, point, ""},
+                        Symbol{Symbol::Letter::omega, omega, ""}}};
+    };
+    EXPECT_TRUE(may_be_told_together(turning("A", "2"), turning("B", "2")));
+    EXPECT_FALSE(may_be_told_together(turning("A", "2"), turning("B", "3")));
 }
 
 TEST(Words, SpeakOfOneOtherwiseThanOfSeveral) {

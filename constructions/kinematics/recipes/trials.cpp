@@ -150,7 +150,9 @@ VectorOn<plane> TrialRecipes<plane>::reach(const Track<plane>& track, DirectionH
 
 template <Plane plane>
 std::vector<Argument> TrialRecipes<plane>::assumption_arguments(const Step& step) {
-    if (step.node == none) return {pen_.spin_of<plane>(step.body)};
+    // See assumed_of().
+    if (step.node == none)
+        return {pen_.spin_of<plane>(step.body), std::string(plane == Plane::velocity ? "1 rad/s" : "1 rad/s²")};
     return {pen_.image<plane>(step.node), chains_.reason_of(step.first)};
 }
 

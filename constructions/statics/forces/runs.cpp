@@ -70,7 +70,7 @@ std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& dir
                      [&](const Load& load) { return load.member == member; });
         const std::string name = model_.member_name(member);
         said_.set_mark(name);
-        said_.say(lang::sentences::superposition,
+        said_.say(parts.empty() ? lang::sentences::superposition : lang::sentences::superposition_next,
                   {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);

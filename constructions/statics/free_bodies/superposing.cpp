@@ -1,5 +1,7 @@
 #include "constructions/statics/free_bodies/superposing.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@ std::optional<Superposition> Superposing::superpose(const Run& run) {
         found.parts.push_back(*std::move(cut));
     }
     for (std::size_t b = 0; b < model_.joint_bonds(); ++b) sum_parts(b, run, found);
+    for (const MemberIndex member : model_.moving_members()) join_parts(member, run, found);
     return found;
 }
 
@@ -71,6 +74,60 @@ void Superposing::sum_parts(std::size_t b, const Run& run, Superposition& found)
     face.corners.push_back(here.element);
     board_.add_face(polygon, std::move(face));
     found.sums.push_back({symbol, model_.body_of(on), polygon});
+}
+
+std::vector<Side> Superposing::parts_on(MemberIndex member, int b, const Run& run) {
+    const Bond& bond = model_.bonds()[at(b)];
+    const bool reversed = bond.second == member;
+    const Symbol& symbol = reversed ? bond.reverse : bond.symbol;
+    std::vector<Side> sides;
+    for (const bool own : {true, false})
+        for (const PartRun& part : run.parts) {
+            const Reaction& reaction = part.run.reactions[at(b)];
+            if (!reaction.force || (part.loaded == member) != own) continue;
+            sides.push_back({marked(symbol, model_.member_name(part.loaded)),
+                             reversed ? board_.negate(*reaction.force) : *reaction.force, b, true,
+                             model_.quantity_at(at(b), !reversed)});
+        }
+    return sides;
+}
+
+/// The parts that the other loads cause stand inside, next to the corner between two reactions: in the last reaction
+/// they come first. So the polygon of the own loads is seen by itself, and what the others add is seen at its corner.
+void Superposing::join_parts(MemberIndex member, const Run& run, Superposition& found) {
+    FreeBody on;
+    on.body = model_.body_of(member);
+    if (model_.is_pin(member)) on.pin = model_.pin_point(member);
+    std::vector<Side> loads;
+    for (const Load& load : model_.loads())
+        if (load.member == member && load.force)
+            loads.push_back({load.symbol, *load.force, -1, true, quantity_of(on, Way::applied_load(load))});
+    std::vector<std::pair<int, std::vector<Side>>> reactions;
+    for (const int b : model_.bonds_of(member))
+        if (std::vector<Side> parts = parts_on(member, b, run); !parts.empty())
+            reactions.emplace_back(b, std::move(parts));
+    constexpr std::size_t fewest = 3;  // two equal and opposite forces have no polygon
+    if (reactions.empty() || loads.size() + reactions.size() < fewest) return;
+    std::reverse(reactions.back().second.begin(), reactions.back().second.end());
+    const int polygon = polygons_.add_force_polygon(Polygon::Kind::body_forces, "parts-" + model_.member_name(member));
+    Face outline;
+    outline.body = on.body;
+    Corner here = polygons_.set_off(polygon, member, loads, board_.pole<Plane::force>(), outline);
+    for (const auto& [b, parts] : reactions) {
+        const Corner start = here;
+        Face between;  // its corners are not those of the whole polygon
+        here = polygons_.set_off(polygon, member, parts, start, between);
+        const Bond& bond = model_.bonds()[at(b)];
+        const bool reversed = bond.second == member;
+        if (const auto& total = run.reactions[at(b)].force)
+            polygons_.draw_side(polygon,
+                                {reversed ? bond.reverse : bond.symbol, reversed ? board_.negate(*total) : *total, b,
+                                 true, model_.quantity_at(at(b), !reversed)},
+                                member, start, here);
+        outline.corners.push_back(start.element);
+    }
+    board_.add_face(polygon, std::move(outline));
+    found.joined.push_back({on.body, on.pin, polygon});
 }
 
 }  // namespace kinegraph::statics

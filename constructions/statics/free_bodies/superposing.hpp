@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "constructions/statics/free_bodies/cut_bodies.hpp"
 
@@ -27,6 +28,10 @@ private:
     std::optional<Superposition::Part> cut_part(const PartRun& part);
     /// For one action on a moving body: adds forces tip to tail, and couples.
     void sum_parts(std::size_t b, const Run& run, Superposition& found);
+    /// The polygon of one member under all loads, for three forces or more.
+    void join_parts(MemberIndex member, const Run& run, Superposition& found);
+    /// The partial forces of a bond on a member, those of the member's own loads first.
+    std::vector<Side> parts_on(MemberIndex member, int b, const Run& run);
 
     ForceModel& model_;
     Board& board_;
