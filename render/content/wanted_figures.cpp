@@ -26,8 +26,8 @@ std::optional<FigureId> WantedFigures::joined_parts_of(const FreeBody& body) con
 
 bool WantedFigures::is_replaced(FigureId id) const {
     if (id.kind == FigureKind::joined_parts || id.kind == FigureKind::joined_parts_of_body) return !joins_parts();
-    const bool of_each = id.kind == FigureKind::partial_sums ||
-                         (id.part != all_loads && id.kind != FigureKind::lines_of_action);
+    const bool of_each =
+        id.kind == FigureKind::partial_sums || (id.part != all_loads && id.kind != FigureKind::lines_of_action);
     return of_each && joins_parts();
 }
 

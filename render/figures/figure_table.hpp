@@ -44,9 +44,9 @@ enum class FigureKind : std::uint8_t {
 extern const FigureFunctions mechanism_functions, centres_functions, velocity_polygon_functions,
     acceleration_polygon_functions, curvature_functions, truss_functions, force_plan_functions,
     lines_of_action_functions, forces_functions, forces_of_body_functions, forces_together_functions,
-    partial_sums_functions, joined_parts_functions, joined_parts_of_body_functions, closed_polygon_functions, free_body_functions, lever_functions, loops_functions,
-    moving_axes_functions, displacements_functions, velocities_functions, accelerations_functions,
-    circle_diagram_functions, joint_graph_functions;
+    partial_sums_functions, joined_parts_functions, joined_parts_of_body_functions, closed_polygon_functions,
+    free_body_functions, lever_functions, loops_functions, moving_axes_functions, displacements_functions,
+    velocities_functions, accelerations_functions, circle_diagram_functions, joint_graph_functions;
 
 /// What rows have in common.
 namespace figure_columns {

@@ -575,7 +575,8 @@ Figure joined_parts_figure(const DrawingContext& context, double room_x, double 
                            int only) {
     const bool is_single = only >= 0;
     const std::vector<int> polygons = is_single ? std::vector<int>{only} : polygons_of_parts(context.solution);
-    const FigureId id = is_single ? FigureId{FigureKind::joined_parts_of_body, only} : FigureId{FigureKind::joined_parts};
+    const FigureId id =
+        is_single ? FigureId{FigureKind::joined_parts_of_body, only} : FigureId{FigureKind::joined_parts};
     return fitted_rows(Rows(context, context.solution, polygons, false, id), {room_x, room_y}, wish);
 }
 

@@ -63,14 +63,14 @@ struct SeveralSubjects {
 const SeveralSubjects* several_subjects_of(Key sentence) {
     using namespace lang::sentences;
     static const std::array all{
-        SeveralSubjects{crank_velocity, crank_velocities, {2, 3}},
-        SeveralSubjects{crank_acceleration, crank_accelerations, {2, 3}},
-        SeveralSubjects{image_velocity, image_velocities, {0, 2}},
-        SeveralSubjects{image_acceleration, image_accelerations, {0, 2}},
-        SeveralSubjects{image_acceleration_without_omega, image_accelerations_without_omega, {0, 2}},
-        SeveralSubjects{translating_velocity, translating_velocities, {1, 2}},
-        SeveralSubjects{translating_acceleration, translating_accelerations, {1, 2}},
-        SeveralSubjects{centre_from_velocities, centres_from_velocities, {0}, 1}};
+        SeveralSubjects{crank_velocity, lang::sentences::crank_velocities, {2, 3}},
+        SeveralSubjects{crank_acceleration, lang::sentences::crank_accelerations, {2, 3}},
+        SeveralSubjects{image_velocity, lang::sentences::image_velocities, {0, 2}},
+        SeveralSubjects{image_acceleration, lang::sentences::image_accelerations, {0, 2}},
+        SeveralSubjects{image_acceleration_without_omega, lang::sentences::image_accelerations_without_omega, {0, 2}},
+        SeveralSubjects{translating_velocity, lang::sentences::translating_velocities, {1, 2}},
+        SeveralSubjects{translating_acceleration, lang::sentences::translating_accelerations, {1, 2}},
+        SeveralSubjects{centre_from_velocities, lang::sentences::centres_from_velocities, {0}, 1}};
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.one == sentence; });
     return found == all.end() ? nullptr : &*found;
 }
