@@ -112,7 +112,7 @@ struct MovingSetting {
     int of = 0;  ///< index of the driver, the load or the body in the mechanism
     std::string name;
     QuantityKind unit = QuantityKind::angular_velocity;
-    double value = 0;               ///< SI, as given; of a parameter in `written_unit`
+    double value = 0;  ///< SI, as given; of a parameter in `written_unit`
     /// Of a parameter and of a rate, as the file writes it: "mm", "rpm"; of a bare number empty.
     std::string written_unit = {};
     std::array<PointIndex, 2> ends{};

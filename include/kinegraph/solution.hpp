@@ -93,8 +93,8 @@ public:
     /// The result with that name; none if it does not exist.
     std::optional<ResultValue> value(std::string_view name) const;
     /// The value of a result, or of an expression of results and parameters as "ask" takes them ("omega 4 / omega 2",
-    /// "|v B|"), in docs/results.md. An expression has no exact value. Fails with Kind::bad_input for an unknown name, with the
-    /// nearest one, and for what cannot be read; with Kind::no_unique_answer for what is not determined here.
+    /// "|v B|"), in docs/results.md. An expression has no exact value. Fails with Kind::bad_input for an unknown name,
+    /// with the nearest one, and for what cannot be read; with Kind::no_unique_answer for what is not determined here.
     Expected<ResultValue> evaluate(std::string_view expression) const;
     /// A vector by its name ("v B", "a B", "F A 3 on 2"): x and y in SI units, the results "vx B" and "vy B"; none if
     /// it does not exist.
