@@ -15,6 +15,7 @@
 #include "engine/motion/place_rules.hpp"
 #include "engine/motion/repositioned.hpp"
 #include "engine/sentences/centre_symbol.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
 
@@ -127,7 +128,7 @@ public:
         : solution_(solution), mechanism_(solution.mechanism), pose_(solution.pose), rules_(mechanism_, pose_) {}
 
     std::optional<Moving> moving(const Rereading& rereading) {
-        for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
+        add_columns();
         add_plan(solution_);
         mover_.emplace(mechanism_, pose_);
         for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) add_course(static_cast<int>(i));
@@ -147,7 +148,7 @@ public:
     }
 
     Moving standing() {
-        for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
+        add_columns();
         add_plan(solution_);
         moving_.size = pose_.size.to_double();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
@@ -158,6 +159,11 @@ public:
     }
 
 private:
+    /// Those of a sweep. What a sweep gives on request only would double the page.
+    void add_columns() {
+        for (Column& column : columns_found(solution_))
+            if (!result_kind(column.quantity).on_request) moving_.columns.push_back(std::move(column));
+    }
     void add_plan(const Solution& solution) {
         moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_));
     }
