@@ -99,7 +99,7 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
     const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
     const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
     const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
-    const VectorScale speeds{velocity_scale, "m/s"}, accelerations{acceleration_scale, "m/s²"};
+    const VectorScale speeds{velocity_scale, "m/s"}, rates_of_change{acceleration_scale, "m/s²"};
     draw_letter_vector(sketch, letter("v", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "v_rel", at, on_paper(*apart.velocity_along, velocity_scale),
                        on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), speeds,
@@ -107,11 +107,11 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
     draw_letter_vector(sketch, letter("a", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "a_rel", at, on_paper(*apart.acceleration_along, acceleration_scale),
                        on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
-                       accelerations, sketch.theme.secondary);
+                       rates_of_change, sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
     draw_letter_vector(sketch, letter("a", own_notation.coriolis, sketch.mechanism.point(motion.query.point).name),
                        "a_cor", at, on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0},
-                       length(*motion.coriolis), accelerations, own);
+                       length(*motion.coriolis), rates_of_change, own);
     draw_turning_sense(sketch, motion, at, v);
 }
 
