@@ -192,6 +192,15 @@ private:
         marks.emplace_back(std::move(path));
     }
 
+    /// "-2" of the second joint with the same name; nothing of the first.
+    std::string number_of(JointIndex index) const {
+        const std::string& name = mechanism_.joint(index).name;
+        const auto own = mechanism_.joints.begin() + static_cast<std::ptrdiff_t>(at_index(index));
+        const auto before =
+            std::count_if(mechanism_.joints.begin(), own, [&](const Joint& each) { return each.name == name; });
+        return before == 0 ? "" : "-" + std::to_string(before + 1);
+    }
+
     /// A ring: the bodies turn on each other. A block: one slides along the other, or is clamped to it (crossed).
     void draw_symbol(Figure& figure, JointIndex index, Spot at, Spot along) const {
         const Joint& joint = mechanism_.joint(index);
@@ -200,7 +209,8 @@ private:
         const Colour fill = is_driven(index) ? theme_.text : theme_.paper;
         const Spot across{-along.y, along.x};
         std::vector<Mark>& marks = figure.marks;
-        marks.emplace_back(GroupBegin{"joint", figure.id + "-" + legal_id(joint.name), joint.name, {}});
+        marks.emplace_back(
+            GroupBegin{"joint", figure.id + "-" + legal_id(joint.name) + number_of(index), joint.name, {}});
         if (pair.has_guide() || pair.is_clamp()) {
             constexpr double longer = 1.7;
             const std::vector<Spot> corners = corners_about(at, longer * symbol_radius * along, symbol_radius * across);

@@ -281,7 +281,7 @@ private:
 
     /// ", without P_24, P_25". If there are many, only the first are named, since the list of centres is complete.
     RichText without(const std::vector<RichText>& centres) const {
-        constexpr std::size_t most = 2;
+        constexpr std::size_t most = 6;
         RichText text = one_piece(word(lang::sheet::without_centres, context.language) + " ");
         for (std::size_t i = 0; i < std::min(centres.size(), most); ++i) {
             if (i > 0) append(text, one_piece(", "));

@@ -10,7 +10,10 @@
 namespace kinegraph::render {
 namespace {
 
+/// Up to rounding: width_beside() gives exactly the width that is needed.
 bool is_free(const std::vector<Spot>& spots, Spot moved, const Box& box, double margin) {
+    constexpr double rounding = 1e-6;
+    margin -= rounding;
     const Box wide = rectangle(box.min.x - margin - moved.x, box.min.y - margin - moved.y, box.max.x + margin - moved.x,
                                box.max.y + margin - moved.y);
     return std::none_of(spots.begin(), spots.end(), [&](Spot s) {

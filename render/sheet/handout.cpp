@@ -82,6 +82,7 @@ private:
         if (is_question_) {
             if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
             figure = question_in_place(figure, at);
+            leave_room_for_caption(figure, at);
             drawn_.figures.front().scale = figure.scale;  // for the list of scales
         }
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
@@ -92,6 +93,10 @@ private:
         taken_.include(at);
         taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.traits.measured == QuantityKind::length) scale_ = figure.scale;
+    }
+    /// The figure stands where the solution has it, whose caption may be lower: a remark beside the scale gives way.
+    void leave_room_for_caption(Figure& figure, Spot at) const {
+        if (caption_width(context_, figure, 1) > drawn_.caption_width) figure.further_scale.clear();
     }
     /// A finer scale for a question if the solution shows the mechanism too small for dimensions. Empty if the
     /// solution's scale is fine enough or given in the file.

@@ -38,11 +38,15 @@ public:
           plan_(wanted_, measured_, bands_, format_),
           figures_(context_, wanted_, bands_, measured_) {}
 
-    KeptScales scales() && {
+    std::size_t pages() {
+        settle();
+        return plan_.pages().size();
+    }
+    KeptScales scales() {
         settle();
         return plan_.scales();
     }
-    DrawnSheet drawn() && {
+    DrawnSheet drawn() {
         settle();
         figures_.enrich();
         tell_where_figures_stand();
@@ -57,6 +61,7 @@ public:
 
 private:
     void settle() {
+        if (text_) return;
         do {
             plan_.make();
             figures_.take(plan_);
@@ -145,7 +150,7 @@ private:
 
 namespace {
 
-/// A problem has the same scales in every language, and no coarser ones in brief.
+/// A problem has the same scales in every language, and no coarser ones in brief, where that costs no page.
 std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     if (options.kept) return options.kept;
     SheetOptions other = options;
@@ -160,14 +165,24 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
     return kept;
 }
 
+template <class Make>
+auto from_layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts, Make make) {
+    Layout layout(solution, options, scales_to_keep(solution, options, fonts), fonts);
+    if (options.detail == SolutionDetail::brief && !options.kept) {
+        Layout free(solution, options, std::nullopt, fonts);
+        if (free.pages() < layout.pages()) return make(free);
+    }
+    return make(layout);
+}
+
 }  // namespace
 
 KeptScales scales_of_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Layout(solution, options, scales_to_keep(solution, options, fonts), fonts).scales();
+    return from_layout(solution, options, fonts, [](Layout& layout) { return layout.scales(); });
 }
 
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Layout(solution, options, scales_to_keep(solution, options, fonts), fonts).drawn();
+    return from_layout(solution, options, fonts, [](Layout& layout) { return layout.drawn(); });
 }
 
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {

@@ -388,8 +388,9 @@ TEST(TrussSteps, ShowTheStringsAndTheirPolygon) {
 /// Each body that carries three forces is cut free under the loads of each row.
 TEST(LoadsAlone, HaveTheirBodiesCutFree) {
     const Solution& solution = example("four_bar_weights");
-    const std::set<std::string> full = figures_on(sheet_of(solution));
     SheetOptions options;
+    options.superposed = SuperposedLoads::each;
+    const std::set<std::string> full = figures_on(sheet_of(solution, options));
     options.detail = SolutionDetail::brief;
     const std::set<std::string> brief = figures_on(sheet_of(solution, options));
     int bodies = 0;

@@ -68,10 +68,10 @@ TEST(FigureTable, RowsSayWhatIsDrawn) {
         const Solution& solution = example(name);
         const DrawingContext context{solution, theme, fonts(), Language::en};
         const Shown shown(context, false, true);
-        std::set<std::string> names;
+        std::set<std::string> found;
         for (const FigureId id : all_figures(shown)) {
             SCOPED_TRACE(name_of(solution, id));
-            EXPECT_TRUE(names.insert(name_of(solution, id)).second);
+            EXPECT_TRUE(found.insert(name_of(solution, id)).second);
             expect_as_its_row_says(shown, id);
             seen.insert(id.kind);
         }
@@ -86,11 +86,11 @@ TEST(FigureTable, ABriefSolutionShowsNoMoreThanTheWholeOne) {
     const DrawingContext context{solution, theme, fonts(), Language::en};
     const std::vector<FigureId> whole = all_figures(Shown(context)), brief = all_figures(Shown(context, true));
     const auto names = [&](const std::vector<FigureId>& all) {
-        std::set<std::string> names;
+        std::set<std::string> found;
         // The mechanism has its centres only if the file asks for them.
         for (const FigureId id : all)
-            if (id.kind != FigureKind::mechanism && id.kind != FigureKind::centres) names.insert(name_of(solution, id));
-        return names;
+            if (id.kind != FigureKind::mechanism && id.kind != FigureKind::centres) found.insert(name_of(solution, id));
+        return found;
     };
     ASSERT_GT(brief.size(), 3U);
     EXPECT_LT(names(brief).size(), names(whole).size());
