@@ -1,6 +1,8 @@
 // Implementation of drawn_figures.hpp.
 #include "render/layout/drawn_figures.hpp"
 
+#include <algorithm>
+
 #include "engine/number/assert.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
@@ -46,7 +48,9 @@ void DrawnFigures::enrich() {
 
 /// The room is wide enough for both: the plan measured the free corner.
 void DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) const {
-    const Box room = rectangle(0, 0, drawn.room.width(), drawn.room.height() - drawn.caption);
+    // The letters of details, which are known only now, may be a little larger than those that were measured.
+    const Box room = rectangle(0, 0, std::max(drawn.room.width(), drawn.figure.box.width()),
+                               std::max(drawn.room.height() - drawn.caption, drawn.figure.box.height()));
     const bool set = set_beside(drawn.beside, drawn.figure, equations, room);
     KG_ASSERT(set, "equations have room beside the figure that was measured for them");
     drawn.figure.box.include(box_of(drawn.beside));

@@ -15,6 +15,7 @@ namespace kinegraph::render {
 struct FigureSize {
     double x = 0, y = 0, score = 0;
     double scale = 0;         ///< units per mm; of a figure that fills its room: that of its strokes
+    double caption = 0;       ///< the part of y that its caption takes
     double wider = 0;         ///< additional width for equations in a corner
     std::size_t drawing = 0;  ///< index of the drawing among those of the figure
     bool operator==(const FigureSize&) const = default;

@@ -230,21 +230,22 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
     const double whole = caption_width(context_, drawn, number);
     if (whole <= format_.content.width()) {
-        sizes.push_back({std::max(own, whole), high + caption_line, score, scale, 0, drawing});
+        sizes.push_back({std::max(own, whole), high + caption_line, score, scale, caption_line, 0, drawing});
         if (whole <= own) return;
     }
     const double narrow = std::max(own, std::min(least_of_caption, format_.content.width()));
     if (narrow >= whole) return;
     std::vector<Mark> words;
     const double caption = set_caption(words, context_, drawn, number, {0, 0}, narrow);
-    sizes.push_back({narrow, high + caption, score - price_of_broken_caption, scale, 0, drawing});
+    sizes.push_back({narrow, high + caption, score - price_of_broken_caption, scale, caption, 0, drawing});
 }
 
 double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& equations) {
     Drawing& drawing = drawings_[figure][size.drawing];
     // What is larger than its page leaves no corner.
     const Box& box = drawing.figure.box;
-    if (box.width() > size.x || box.height() > size.y) return std::numeric_limits<double>::infinity();
+    if (box.width() > size.x || box.height() > size.y - size.caption + rounding)
+        return std::numeric_limits<double>::infinity();
     if (!drawing.wider) drawing.wider = width_beside(drawing.figure, equations);
     return *drawing.wider;
 }

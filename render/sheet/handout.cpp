@@ -82,7 +82,7 @@ private:
         if (is_question_) {
             if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
             figure = question_in_place(figure, at);
-            leave_room_for_caption(figure, at);
+            leave_room_for_caption(figure);
             drawn_.figures.front().scale = figure.scale;  // for the list of scales
         }
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
@@ -95,7 +95,7 @@ private:
         if (figure.traits.measured == QuantityKind::length) scale_ = figure.scale;
     }
     /// The figure stands where the solution has it, whose caption may be lower: a remark beside the scale gives way.
-    void leave_room_for_caption(Figure& figure, Spot at) const {
+    void leave_room_for_caption(Figure& figure) const {
         if (caption_width(context_, figure, 1) > drawn_.caption_width) figure.further_scale.clear();
     }
     /// A finer scale for a question if the solution shows the mechanism too small for dimensions. Empty if the

@@ -393,7 +393,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
 
 /// The texts of its rows and the widths of its columns.
 struct ResultsTable::Parts {
-    static constexpr double least_gap = 1.6, name_pitch = 3.9;  // mm
+    static constexpr double least_gap = 1.6, name_pitch = 4.4;  // mm
     static constexpr std::size_t columns = 6;                   // quantity, mm, drawing, numeric, unit, difference
     using Widths = std::array<double, columns>;
     struct Line {

@@ -481,7 +481,8 @@ TEST(Question, ShowsTheMechanismLargeEnough) {
         options.detail = detail;
         return span_of(joints_of(lay_out(solution, options, fonts()).front()));
     };
-    EXPECT_GT(span(example("three_hinged_arch"), SheetKind::question, SolutionDetail::brief, Language::en), 50);
+    EXPECT_GT(span(example("three_hinged_arch"), SheetKind::question, SolutionDetail::brief, Language::en),
+              too_small_for_data);
     EXPECT_GT(span(example("peaucellier"), SheetKind::question, SolutionDetail::full, Language::it), 50);
     EXPECT_GT(span(tests::solved(toggle_press), SheetKind::question, SolutionDetail::full, Language::en), 50);
 }
