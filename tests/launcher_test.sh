@@ -92,7 +92,8 @@ later "1 minute ago" "$top/render/live/deep/deeper"
 folders=$(cd "$root" && find . -maxdepth 1 -mindepth 1 -type d ! -name '.*' ! -name 'build*' | sed 's|^\./||' | sort)
 taken=$(cd "$root" && for folder in $folders; do
     if grep -qE "(^|[ (/\"])$folder/" CMakeLists.txt cmake/*.cmake && [ "$folder" != tests ] && [ "$folder" != docs ] &&
-        [ "$folder" != examples ] && [ "$folder" != bench ]; then echo "$folder"; fi
+        [ "$folder" != examples ] && [ "$folder" != bench ] && [ "$folder" != python ] &&
+        [ "$folder" != packaging ]; then echo "$folder"; fi
 done)
 [ -n "$taken" ] || same "folders of the build are found" some none
 for folder in $taken; do

@@ -13,11 +13,11 @@ namespace kinegraph {
 
 /// The power of a force or a couple.
 inline Quantity power_of(const Quantity& action) {
-    using Kind = Quantity::Kind;
-    return {.kind = action.kind == Kind::load      ? Kind::power_of_load
-                    : action.kind == Kind::weight  ? Kind::power_of_weight
-                    : action.kind == Kind::inertia ? Kind::power_of_inertia
-                                                   : Kind::power_of_effort,
+    using ActionKind = Quantity::Kind;
+    return {.kind = action.kind == ActionKind::load      ? ActionKind::power_of_load
+                    : action.kind == ActionKind::weight  ? ActionKind::power_of_weight
+                    : action.kind == ActionKind::inertia ? ActionKind::power_of_inertia
+                                                         : ActionKind::power_of_effort,
             .given = action.given};
 }
 /// Whether forces were found and all powers vanish, since nothing moves.
@@ -37,9 +37,9 @@ inline bool has_no_power(const Solution& solution) {
 template <class Show>
 void for_each_power(const Solution& solution, Show show) {
     if (!solution.virtual_work && !has_no_power(solution)) return;
-    using Kind = Quantity::Kind;
+    using ActionKind = Quantity::Kind;
     const Mechanism& mechanism = solution.mechanism;
-    const auto show_all = [&](Kind kind, std::size_t count) {
+    const auto show_all = [&](ActionKind kind, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             const Quantity action{.kind = kind, .given = static_cast<int>(i)};
             // What has no entry vanishes.
@@ -50,10 +50,10 @@ void for_each_power(const Solution& solution, Show show) {
             show(power_of(action), power);
         }
     };
-    show_all(Kind::load, mechanism.loads.size());
-    if (mechanism.gravity) show_all(Kind::weight, mechanism.masses.size());
-    if (mechanism.inertia_forces) show_all(Kind::inertia, mechanism.masses.size());
-    show_all(Kind::effort, mechanism.efforts.size());
+    show_all(ActionKind::load, mechanism.loads.size());
+    if (mechanism.gravity) show_all(ActionKind::weight, mechanism.masses.size());
+    if (mechanism.inertia_forces) show_all(ActionKind::inertia, mechanism.masses.size());
+    show_all(ActionKind::effort, mechanism.efforts.size());
 }
 
 /// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar, Vector

@@ -55,7 +55,8 @@ private:
         constexpr std::size_t of_crossing = 1000;
         std::size_t sum = 0;
         for (std::size_t i = 0; i < chords_.size(); ++i) {
-            const auto [from, to] = ends(chords_[i]);
+            const auto chord = ends(chords_[i]);
+            const std::size_t from = chord.first, to = chord.second;
             sum += std::min(to - from, place_.size() - (to - from));
             for (std::size_t k = 0; k < i; ++k) {
                 const auto [other_from, other_to] = ends(chords_[k]);

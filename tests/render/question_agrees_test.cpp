@@ -91,9 +91,9 @@ TEST(ImpactQuestion, SaysWhereTheBodiesStrike) {
     EXPECT_TRUE(has(english, "centre {G_2} (0.4, 0.1) m")) << english;
     EXPECT_TRUE(has(english, "touch at {P} (0.2, 0.05) m")) << english;
     EXPECT_TRUE(has(english, "the normal {n}, from B to A, stands at 180° to the axis {x}")) << english;
-    EXPECT_TRUE(has(english, "{J} acts on A, −{J} on B")) << english;
+    EXPECT_TRUE(has(english, "{!J} acts on A, −{!J} on B")) << english;
     EXPECT_TRUE(has(italian, "si toccano in {P} (0,2; 0,05) m")) << italian;
-    EXPECT_TRUE(has(italian, "{J} agisce su A, −{J} su B")) << italian;
+    EXPECT_TRUE(has(italian, "{!J} agisce su A, −{!J} su B")) << italian;
     for (const ProblemValue& each : solution.problem->values)
         if (each.name.in(Language::en).starts_with("velocity")) {
             EXPECT_TRUE(has(each.symbol, "′") && has(each.spoken.in(Language::en), "afterwards"))
