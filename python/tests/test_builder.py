@@ -14,7 +14,8 @@ from kinegraph import Mechanism, _builder, _stub, circle
 
 def four_bar() -> Mechanism:
     return (Mechanism()
-            .title(en="Four-bar linkage", it="Quadrilatero articolato")
+            .title(en="Four-bar linkage", it="Quadrilatero articolato", fr="Quadrilatère articulé",
+                   de="Gelenkviereck", es="Cuadrilátero articulado")
             .units(length="mm").frame(1)
             .point("O2", 0, 0)
             .point("A", from_="O2", distance=40, angle=60)
