@@ -221,12 +221,15 @@ private:
     }
 
     void draw_heights(Figure& figure, double half, double high) {
-        figure.marks.emplace_back(
-            GroupBegin{"vector",
-                       "pressure-p_0",
-                       "p_0",
-                       {{"data-name", "p_0"}, {"data-value", shortest(found_.greatest)}, {"data-unit", "Pa"}},
-                       none});
+        figure.marks.emplace_back(GroupBegin{"vector",
+                                             "pressure-p_0",
+                                             "p_0",
+                                             {{"data-name", "p_0"},
+                                              {"data-value", shortest(found_.greatest)},
+                                              {"data-scale", shortest(pressure_scale_ * pressure_unit_.si.to_double())},
+                                              {"data-unit", "Pa"}},
+                                             none});
+        figure.marks.emplace_back(Axis{{0, -high}, {0, 0}});
         draw_arrow(figure.marks, {0, -high}, {0, 0}, theme_.vector, theme_.text);
         figure.marks.emplace_back(GroupEnd{});
         name(figure, "{p_0} = ", found_.greatest, {0, -high}, std::nullopt);

@@ -80,7 +80,6 @@ private:
         Figure figure = drawn_.figures.front();
         Spot at = drawn_.caption;
         if (is_question_) {
-            if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
             figure = question_in_place(figure, at);
             leave_room_for_caption(figure);
             drawn_.figures.front().scale = figure.scale;  // for the list of scales
@@ -97,30 +96,6 @@ private:
     /// The figure stands where the solution has it, whose caption may be lower: a remark beside the scale gives way.
     void leave_room_for_caption(Figure& figure) const {
         if (caption_width(context_, figure, 1) > drawn_.caption_width) figure.further_scale.clear();
-    }
-    /// A finer scale for a question if the solution shows the mechanism too small for dimensions. Empty if the
-    /// solution's scale is fine enough or given in the file.
-    std::optional<double> finer_than_solved(const Figure& solved) const {
-        constexpr double readable = 20, for_data = 56;  // mm; length of its longer side, and space round it
-        const bool is_asked = asked_scale(context_.solution.mechanism, FigureKind::mechanism).has_value();
-        if (solved.traits.measured != QuantityKind::length || is_asked || options_.kept) return std::nullopt;
-        const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
-        if (std::max(extent.width(), extent.height()) >= readable * solved.scale) return std::nullopt;
-        const double finer = choose_scale(extent.width(), extent.height(), std::max(room.width() - for_data, 1.0),
-                                          std::max(room.height() - for_data, 1.0), std::nullopt);
-        return finer < solved.scale ? std::optional(finer) : std::nullopt;
-    }
-    /// The area left of a column of text and above the title block.
-    Box room_for_mechanism() const {
-        const Box content = content_of(format_, true);
-        return {content.min, {content.max.x - format_.measure - gap, format_.block.min.y - round_figure}};
-    }
-    /// Requests the figure at a scale, in the middle of that area.
-    void stand_at(Figure& figure, double scale) {
-        const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
-        figure.scale = scale;
-        figure.origin = 0.5 * (room.min + room.max) - (0.5 / scale) * (extent.min + extent.max);
-        drawn_.caption_width = room.width();
     }
     /// The mechanism with its data at its position in the solution. If it needs the space of the caption, the caption
     /// moves down; only if it still leaves the paper, the mechanism moves.

@@ -40,9 +40,9 @@ void visit_marks(const std::vector<Mark>& marks, See see) {
     }
 }
 
-const std::vector<const char*> with_vectors{"truss_simple", "truss_roof_wind",  "scara",
-                                            "moving_frame", "four_bar",         "slider_on_moving_guide",
-                                            "exam_2001",    "four_bar_weights", "excavator_arm"};
+const std::vector<const char*> with_vectors{"truss_simple",  "truss_roof_wind",         "scara",     "moving_frame",
+                                            "four_bar",      "slider_on_moving_guide",  "exam_2001", "four_bar_weights",
+                                            "excavator_arm", "joint_contact/spur_gears"};
 
 /// The axis of a vector is as long as its value at its scale; of a bar in compression the value is negative.
 TEST(Conventions, EveryVectorHasItsAxisLine) {
