@@ -134,7 +134,7 @@ void add_language(CLI::App& command, std::string& chosen, const std::string& hel
         codes.push_back(code_of(language));
         listed += (listed.empty() ? ": " : language == languages.back() ? " or " : ", ") + codes.back();
     }
-    add_choice(command, "--lang", chosen, (help + listed).c_str(), std::move(codes), "LANG");
+    add_choice(command, "--lang", chosen, (help + listed).c_str(), codes, "LANG");
 }
 
 /// The option that replaces values of the file's parameters.

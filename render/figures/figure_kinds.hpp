@@ -26,7 +26,7 @@ struct FigureId {
     FigureKind kind{};
     int of = -1;           ///< an index, see FigureKind; −1: a solution has one
     int part = all_loads;  ///< of the superposition, whose loads act alone
-    friend auto operator<=>(const FigureId&, const FigureId&) = default;
+    friend auto operator<=>(const FigureId&, const FigureId&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// How large a figure should be, and how it may be changed for that.

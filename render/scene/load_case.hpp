@@ -14,7 +14,7 @@ constexpr int all_loads = -1;
 class LoadCase {
 public:
     /// `part`: of the superposition, or all_loads.
-    // Implicit: where a solution stands for its forces, all loads act.
+    // NOLINTNEXTLINE(google-explicit-constructor): where a solution stands for its forces, all loads act
     LoadCase(const Solution& solution, int part = all_loads);
 
     const Solution& solution() const { return *solution_; }

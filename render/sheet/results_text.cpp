@@ -285,7 +285,7 @@ private:
         return table(word(lang::sheet::powers, language_), rows);
     }
     std::string subject_of_power(const Quantity& power) const {
-        const std::string subject = subject_on_request(power, solution_.mechanism);
+        std::string subject = subject_on_request(power, solution_.mechanism);
         switch (power.kind) {
             case Kind::power_of_weight: return Words(lang::sheet::weight_of_body, subject).in(language_);
             case Kind::power_of_inertia: return Words(lang::sheet::inertia_force_of_body, subject).in(language_);
