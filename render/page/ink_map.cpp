@@ -13,6 +13,14 @@ namespace {
 
 constexpr double most_bits = 3000;  // per side
 
+/// The next whole number of a number that is not negative: std::ceil is a call on processors of 2003, for which the
+/// program is built.
+std::size_t whole_above(double number) {
+    const auto below = static_cast<std::size_t>(number);
+    return below + (static_cast<double>(below) < number ? 1 : 0);
+}
+std::size_t whole_below(double number) { return static_cast<std::size_t>(number); }
+
 /// The run of a box in each row of a map, for the rows whose centre line meets the box.
 class Runs {
 public:
@@ -155,8 +163,8 @@ template <class Look>
 bool InkMap::words_of(std::size_t base, double from, double to, Look look) const {
     const double first_bit = (from - origin_.x) / pitch_ - 0.5, last_bit = (to - origin_.x) / pitch_ - 0.5;
     if (!(last_bit >= 0 && first_bit <= columns_ - 1)) return true;
-    const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, first_bit)));
-    const auto last = static_cast<std::size_t>(std::floor(std::min(columns_ - 1.0, last_bit)));
+    const auto first = whole_above(std::max(0.0, first_bit));
+    const auto last = whole_below(std::min(columns_ - 1.0, last_bit));
     for (std::size_t word = first / 64; word <= last / 64 && first <= last; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
@@ -247,26 +255,34 @@ void InkMap::clear(const Box& box) {
                  });
 }
 
+std::uint64_t InkMap::Bits::mask(std::size_t word) const {
+    std::uint64_t mask = ~std::uint64_t{0};
+    if (word == left / 64) mask &= ~std::uint64_t{0} << (left % 64);
+    if (word == right / 64) mask &= ~std::uint64_t{0} >> (63 - right % 64);
+    return mask;
+}
+
+std::optional<InkMap::Bits> InkMap::bits_of(const InkBox& upright) const {
+    const double first = (upright.centre.y - upright.half.y - origin_.y) / pitch_ - 0.5;
+    const double last = (upright.centre.y + upright.half.y - origin_.y) / pitch_ - 0.5;
+    const double left = (upright.centre.x - upright.half.x - origin_.x) / pitch_ - 0.5;
+    const double right = (upright.centre.x + upright.half.x - origin_.x) / pitch_ - 0.5;
+    if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return std::nullopt;
+    const Bits bits{whole_above(std::max(0.0, left)), whole_below(std::min(columns_ - 1.0, right)),
+                    whole_above(std::max(0.0, first)), whole_below(std::min(rows_ - 1.0, last))};
+    if (bits.left > bits.right || bits.top > bits.bottom) return std::nullopt;
+    return bits;
+}
+
 template <class Look>
 void InkMap::rows_of(const InkBox& box, Look look) const {
     if (box.axis.y != 0) return rows_of_turned(Runs(box, origin_.y, pitch_, rows_), look);
-    const double first = (box.centre.y - box.half.y - origin_.y) / pitch_ - 0.5;
-    const double last = (box.centre.y + box.half.y - origin_.y) / pitch_ - 0.5;
-    const double left = (box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5;
-    const double right = (box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5;
-    if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return;
-    // Axis-aligned: the same words in every row.
-    const auto from = static_cast<std::size_t>(std::ceil(std::max(0.0, left)));
-    const auto to = static_cast<std::size_t>(std::floor(std::min(columns_ - 1.0, right)));
-    if (from > to) return;
-    const auto top = static_cast<std::size_t>(std::ceil(std::max(0.0, first)));
-    const auto end = static_cast<std::size_t>(std::floor(std::min(rows_ - 1.0, last))) + 1;
-    // Column by column of words: most boxes have one or two.
-    for (std::size_t word = from / 64; word <= to / 64; ++word) {
-        std::uint64_t mask = ~std::uint64_t{0};
-        if (word == from / 64) mask &= ~std::uint64_t{0} << (from % 64);
-        if (word == to / 64) mask &= ~std::uint64_t{0} >> (63 - to % 64);
-        for (std::size_t row = top; row < end; ++row)
+    const auto bits = bits_of(box);
+    if (!bits) return;
+    // Axis-aligned: the same words in every row. Column by column of words: most boxes have one or two.
+    for (std::size_t word = bits->left / 64; word <= bits->right / 64; ++word) {
+        const std::uint64_t mask = bits->mask(word);
+        for (std::size_t row = bits->top; row <= bits->bottom; ++row)
             if (!look(bits_[row * words_ + word] & mask)) return;
     }
 }
@@ -295,6 +311,31 @@ bool InkMap::touches(const InkBox& box) const {
     bool met = false;
     rows_of(box, [&](std::uint64_t word) { return !(met = word != 0); });
     return met;
+}
+
+std::optional<double> InkMap::way_right(const InkBox& box) const {
+    const auto bits = bits_of(box);
+    if (!bits) return std::nullopt;
+    for (std::size_t word = bits->right / 64 + 1; word-- > bits->left / 64;) {
+        const std::uint64_t mask = bits->mask(word);
+        std::uint64_t met = 0;
+        for (std::size_t row = bits->top; row <= bits->bottom; ++row) met |= bits_[row * words_ + word] & mask;
+        if (met != 0) {
+            const std::size_t column = 64 * word + static_cast<std::size_t>(63 - std::countl_zero(met));
+            return origin_.x + (static_cast<double>(column) + 0.5) * pitch_ - (box.centre.x - box.half.x);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<double> InkMap::way_down(const InkBox& box) const {
+    const auto bits = bits_of(box);
+    if (!bits) return std::nullopt;
+    for (std::size_t row = bits->bottom + 1; row-- > bits->top;)
+        for (std::size_t word = bits->left / 64; word <= bits->right / 64; ++word)
+            if ((bits_[row * words_ + word] & bits->mask(word)) != 0)
+                return origin_.y + (static_cast<double>(row) + 0.5) * pitch_ - (box.centre.y - box.half.y);
+    return std::nullopt;
 }
 
 int InkMap::crossings(Spot from, Spot to, int most) const {

@@ -51,11 +51,21 @@ public:
     double inked(const InkBox& box, double most = 1e300) const;
     /// Same as inked(box) > 0, but faster.
     bool touches(const InkBox& box) const;
+    /// How far an upright box must be moved right or down, at least, until it has left all ink that it touches now, if it
+    /// touches any.
+    std::optional<double> way_right(const InkBox& box) const;
+    std::optional<double> way_down(const InkBox& box) const;
     /// How often a thin line between two spots meets ink, counted up to `most`. A broad stroke counts several times;
     /// the ink in which the line starts does not count.
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:
+    /// The bits whose centres an upright box covers: columns `left` to `right`, rows `top` to `bottom`.
+    struct Bits {
+        std::size_t left, right, top, bottom;
+        std::uint64_t mask(std::size_t word) const;  ///< of the columns, in that word of a row
+    };
+    std::optional<Bits> bits_of(const InkBox& upright) const;
     /// Calls look() with the words (64 bits) that cover a box, until it returns false.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;

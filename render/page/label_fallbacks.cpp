@@ -82,16 +82,19 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
         if (found && looks_left_ <= 0) break;
         if (found && leader_price + far_price * (away - std::max(half.x, half.y) - request.clearance) >= found->price)
             break;
+        // Places that must still touch what an earlier one in the line touched are passed over.
         const auto row = [&](double y) {
             if (y < middles.min.y || y > middles.max.y) return;
+            double free_from = -1e300;
             for (double x = std::max(at.x - away, middles.min.x); x <= std::min(at.x + away, middles.max.x); x += step)
-                look_at(label, {x, y}, step, found);
+                if (x >= free_from) free_from = x + look_at(label, {x, y}, step, &InkMap::way_right, found);
         };
         const auto column = [&](double x) {
             if (x < middles.min.x || x > middles.max.x) return;
+            double free_from = -1e300;
             for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y);
                  y += step)
-                look_at(label, {x, y}, step, found);
+                if (y >= free_from) free_from = y + look_at(label, {x, y}, step, &InkMap::way_down, found);
         };
         row(at.y - away);
         row(at.y + away);
@@ -102,23 +105,34 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
     return found;
 }
 
-/// Keeps a place that covers no stroke and no label, if it is better than the best so far.
-void Refuges::look_at(std::size_t label, Spot centre, double step, std::optional<Candidate>& found) {
+/// Keeps a place that covers no stroke and no label, if it is better than the best so far. Returns how far along the
+/// line of places what it covers reaches.
+double Refuges::look_at(std::size_t label, Spot centre, double step, WayOut way_out, std::optional<Candidate>& found) {
     const LabelRequest& request = setting_.requests[label];
     const InkBox box{centre, letters_[label].half()};
     const double extra = distance_to_box(request.anchor, box) - request.clearance;
     const double least = leader_price + far_price * extra;
-    if (extra < step || extra > longest_leader || (found && least >= found->price)) return;
+    if (extra < step || extra > longest_leader || (found && least >= found->price)) return 0;
     --looks_left_;
-    if (taken_.touches(box) || threads_.touches(box) || !setting_.ground.is_free(box)) return;
+    constexpr double rounding = 1e-9;
+    if (const auto way = (taken_.*way_out)(box)) return *way - rounding;
+    if (const auto way = (threads_.*way_out)(box)) return *way - rounding;
+    if (const auto way = (setting_.ground.map().*way_out)(box.grown(ink_margin))) return *way - rounding;
     Candidate candidate;
     candidate.box = box;
     candidate.price = least;
     candidate.ringed = request.balloon > 0;
     candidate.add_leader(request);
-    if (taken_.touches(candidate.thread) || setting_.ground.covers_text(candidate.thread)) return;
+    if (leads_over_another(label, candidate.thread) || setting_.ground.covers_text(candidate.thread)) return 0;
     candidate.price += crossings_of(candidate, found ? found->price - least : std::numeric_limits<double>::infinity());
     if (!found || candidate.price < found->price) found = candidate;
+    return 0;
+}
+
+bool Refuges::leads_over_another(std::size_t label, const InkBox& thread) const {
+    for (std::size_t other = 0; other < chosen_.size(); ++other)
+        if (other != label && gap_between(thread, chosen_[other].box, label_gap) < label_gap) return true;
+    return false;
 }
 
 /// The price of what a leader crosses, counted until it exceeds `enough`.

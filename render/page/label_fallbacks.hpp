@@ -26,7 +26,10 @@ public:
 
 private:
     std::optional<Candidate> nearest(std::size_t label, const Box& middles);
-    void look_at(std::size_t label, Spot centre, double step, std::optional<Candidate>& found);
+    using WayOut = std::optional<double> (InkMap::*)(const InkBox&) const;
+    double look_at(std::size_t label, Spot centre, double step, WayOut way_out, std::optional<Candidate>& found);
+    /// Whether the leader of a label would come too close to another label.
+    bool leads_over_another(std::size_t label, const InkBox& thread) const;
     double crossings_of(const Candidate& candidate, double enough) const;
 
     const LabelSetting& setting_;

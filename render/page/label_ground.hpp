@@ -17,6 +17,8 @@ public:
     Ground(const std::vector<Mark>& marks, const Fonts& fonts);
 
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
+    /// The map of all ink, where a box with this margin stands clear of it.
+    const InkMap& map() const { return map_; }
     /// Whether no ink lies under the box itself, however near. The box is grown a little, so that a corner which
     /// reaches into a slanting stroke does not slip between bits.
     bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.7 * InkMap::pitch)); }
