@@ -184,30 +184,27 @@ private:
     std::vector<Message> messages_;
 };
 
-/// Sensitivity of angular velocities to moving a given point, by replaying the record in doubles.
+/// Sensitivity of angular velocities to moving a given point, by replaying in doubles the part of the record that leads
+/// to them.
 class Sensitivity {
 public:
     explicit Sensitivity(const Solution& solution)
         : solution_(solution),
-          program_(solution.protocol.program),
-          givens_(givens_of(program_, solution.mechanism, solution.pose)),
-          replay_(program_, givens_, solution.pose.size.to_double()) {}
+          turning_(bodies_that_turn(solution)),
+          part_(part_that_leads_to(turning_, solution)),
+          givens_(givens_of(part_.program, solution.mechanism, solution.pose)),
+          replay_(part_.program, givens_, solution.pose.size.to_double()) {}
 
     /// The worst of all bodies and points, if it is ill-conditioned.
     std::optional<Message> worst() {
-        if (replay_.run()) return std::nullopt;
-        std::vector<BodyIndex> spins;
+        if (turning_.empty() || replay_.run()) return std::nullopt;
         std::vector<double> before;
-        for (const BodyIndex body : indices<BodyIndex>(solution_.bodies.size(), frame.next())) {
-            const auto& omega = solution_.bodies[at_index(body)].omega;
-            if (!omega || omega.element() == none || omega->is_zero()) continue;
-            spins.push_back(body);
-            before.push_back(replay_.scalar(omega.element()));
-        }
+        for (const BodyIndex body : turning_) before.push_back(omega_of(body));
         const double size = solution_.pose.size.to_double();
         Change worst;
-        for (std::size_t given = 0; given < program_.givens.size() && !spins.empty(); ++given) {
-            if (program_.givens[given].kind != Given::Kind::place) continue;
+        for (std::size_t given = 0; given < givens_.size(); ++given) {
+            const Given& moving = part_.program.givens[given];
+            if (moving.kind != Given::Kind::place) continue;
             for (const int axis : {0, 1}) {
                 auto moved = std::get<PointOf<double>>(to_double(givens_[given]));
                 // Far above the rounding error of doubles, and small enough to neglect curvature.
@@ -215,10 +212,9 @@ public:
                 (axis == 0 ? moved.x : moved.y) += step;
                 replay_.give(static_cast<int>(given), moved);
                 const bool holds = !replay_.run();
-                for (std::size_t i = 0; i < spins.size() && holds; ++i) {
-                    const double now = replay_.scalar(solution_.bodies[at_index(spins[i])].omega.element());
-                    const double share = std::abs(now / before[i] - 1) * size / step;
-                    if (share > worst.share) worst = {share, spins[i], PointIndex(program_.givens[given].index)};
+                for (std::size_t i = 0; i < turning_.size() && holds; ++i) {
+                    const double share = std::abs(omega_of(turning_[i]) / before[i] - 1) * size / step;
+                    if (share > worst.share) worst = {share, turning_[i], PointIndex(moving.index)};
                 }
             }
             replay_.give(static_cast<int>(given), to_double(givens_[given]));
@@ -238,6 +234,26 @@ private:
         BodyIndex body;
         PointIndex point;
     };
+    static std::vector<BodyIndex> bodies_that_turn(const Solution& solution) {
+        std::vector<BodyIndex> turning;
+        for (const BodyIndex body : indices<BodyIndex>(solution.bodies.size(), frame.next())) {
+            const auto& omega = solution.bodies[at_index(body)].omega;
+            if (omega && omega.element() != none && !omega->is_zero()) turning.push_back(body);
+        }
+        return turning;
+    }
+    static Cut part_that_leads_to(const std::vector<BodyIndex>& turning, const Solution& solution) {
+        std::vector<ElementIndex> wanted;
+        std::size_t settled = 0;
+        for (const BodyIndex body : turning) {
+            wanted.push_back(solution.bodies[at_index(body)].omega.element());
+            settled = std::max(settled, at_index(wanted.back()) + 1);
+        }
+        return cut(solution.protocol.program, wanted, static_cast<int>(settled));
+    }
+    double omega_of(BodyIndex body) const {
+        return replay_.scalar(part_.element[at_index(solution_.bodies[at_index(body)].omega.element())]);
+    }
     /// The precision stated in the file, else one unit of the point's last written digit, at most `most` (m).
     double last_digit(PointIndex point, double most) const {
         const Pose& pose = solution_.pose;
@@ -262,7 +278,8 @@ private:
     }
 
     const Solution& solution_;
-    const Program& program_;
+    std::vector<BodyIndex> turning_;
+    Cut part_;
     std::vector<Value> givens_;
     Replay replay_;
 };
