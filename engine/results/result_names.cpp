@@ -1,6 +1,7 @@
 #include "engine/results/result_names.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
@@ -58,12 +59,9 @@ public:
         for (const Joint& joint : m_.joints) add_joint(joint);
         for (std::size_t e = 0; e < m_.efforts.size(); ++e)
             add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
+        for (const Column& column : columns_) taken_.insert(column.name);
         add_on_request();
-        for (const auto& [quantity, subject] : vectors_) {
-            Column column = modulus_column(quantity, m_, subject);
-            const auto is_taken = [&](const Column& other) { return other.name == column.name; };
-            if (std::none_of(columns_.begin(), columns_.end(), is_taken)) columns_.push_back(std::move(column));
-        }
+        for (const auto& [quantity, subject] : vectors_) add_unless_taken(modulus_column(quantity, m_, subject));
         return std::move(columns_);
     }
 
@@ -128,20 +126,26 @@ private:
         if (m_.gravity) add_powers(Kind::power_of_weight, m_.masses.size());
         if (m_.inertia_forces) add_powers(Kind::power_of_inertia, m_.masses.size());
         add_powers(Kind::power_of_effort, m_.efforts.size());
-        for (auto& [column, coupler] : transmission_columns(m_, driver_)) columns_.push_back(std::move(column));
+        for (auto& [column, coupler] : transmission_columns(m_, driver_)) {
+            taken_.insert(column.name);
+            columns_.push_back(std::move(column));
+        }
         if (const auto truss = truss_of(m_))
             for (const TrussStructure::Bar& bar : truss->bars) add_unless_taken({.kind = Kind::bar, .body = bar.body});
     }
     void add_unless_taken(const Quantity& quantity) {
         std::vector<Column> added;
         add_columns(quantity, m_, "", added);
-        const auto is_taken = [&](const Column& other) { return other.name == added.front().name; };
-        if (std::none_of(columns_.begin(), columns_.end(), is_taken)) columns_.push_back(std::move(added.front()));
+        add_unless_taken(std::move(added.front()));
+    }
+    void add_unless_taken(Column column) {
+        if (taken_.insert(column.name).second) columns_.push_back(std::move(column));
     }
 
     const Mechanism& m_;
     int driver_;
     std::vector<Column> columns_;
+    std::unordered_set<std::string> taken_;  ///< names of columns_
     std::vector<std::pair<Quantity, std::string>> vectors_;
 };
 
