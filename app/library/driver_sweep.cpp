@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/library/driver_choice.hpp"
+#include "app/library/limits.hpp"
 #include "app/library/row_text.hpp"
 #include "app/library/sweep_centrodes.hpp"
 #include "app/library/sweep_course.hpp"
@@ -31,6 +32,7 @@ public:
     /// Reads the options. Separate from the constructor, because the cycle refers to members of this object.
     Expected<void> prepare() {
         const auto wrong = [](const Words& why) { return refused(Diagnostic::Kind::bad_input, why); };
+        if (const auto beyond = app::beyond_sweep(mechanism)) return wrong(*beyond);
         const auto asked = app::course_asked(options_, mechanism);
         if (!asked) return wrong(asked.error());
         course_ = asked->course;

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "app/library/limits.hpp"
 #include "app/library/problem_kinds.hpp"
 #include "app/library/solved_positions.hpp"
 #include "app/library/state.hpp"
@@ -124,7 +125,9 @@ Expected<std::vector<Text>> MechanismFile::check() const {
 }
 
 Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
-    auto solution = kinegraph::solve(with_wishes(state().mechanism, options), arithmetic_of(options));
+    Mechanism mechanism = with_wishes(state().mechanism, options);
+    if (const auto beyond = app::beyond_solving(mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
+    auto solution = kinegraph::solve(std::move(mechanism), arithmetic_of(options));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (const Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
     return solved(*std::move(solution), SourceFile{state().text, state().name, state().set});
@@ -133,7 +136,9 @@ Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
 Expected<std::vector<Solved>> MechanismFile::solve_at(const PositionsWanted& positions,
                                                       const SolveOptions& options) const {
     if (!has_joints()) return refused(Diagnostic::Kind::bad_input, {lang::library::the_file_states_a_problem});
-    auto solutions = app::solved_positions(with_wishes(state().mechanism, options), positions, arithmetic_of(options));
+    const Mechanism mechanism = with_wishes(state().mechanism, options);
+    if (const auto beyond = app::beyond_solving(mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
+    auto solutions = app::solved_positions(mechanism, positions, arithmetic_of(options));
     if (!solutions) return tl::unexpected(diagnostics_of(solutions.error()));
     std::vector<Solved> all;
     for (Solution& each : *solutions) {
@@ -159,6 +164,7 @@ Expected<std::string> MechanismFile::equations(TextForm form, Language language)
     Mechanism mechanism = state().mechanism;
     const app::EquationsOfProblem of_problem = app::equations_of_problem(mechanism);
     mechanism.find.equations = of_problem == nullptr;
+    if (const auto beyond = app::beyond_solving(mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
     const auto solution = kinegraph::solve(std::move(mechanism));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (of_problem != nullptr) {

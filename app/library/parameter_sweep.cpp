@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/library/driver_choice.hpp"
+#include "app/library/limits.hpp"
 #include "app/library/row_text.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
@@ -512,6 +513,7 @@ Expected<std::unique_ptr<Sweep::State>> sweep_of_parameter(const MechanismFile::
     const JsonValue parameters = source->root()["parameters"];
     const auto wrong = [](const Words& why) { return refused(Diagnostic::Kind::bad_input, why); };
     if (const Words why = meaningless_sweep(options, parameters); !why.empty()) return wrong(why);
+    if (const auto beyond = app::beyond_solving(file.mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
     auto values = values_of(options);
     if (!values) return wrong(values.error());
     const std::string own(parameters[options.over].text());

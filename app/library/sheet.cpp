@@ -85,7 +85,7 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
 Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
                                              const render::SheetOptions& options, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
-    if (const auto beyond = render::beyond_sheet(solution))
+    if (const auto beyond = wanted.steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
         return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
@@ -270,6 +270,8 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     if (!fonts) return tl::unexpected(fonts.error());
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
+    if (const auto beyond = render::beyond_sheet(solved.state().solution))
+        return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
     const auto& source = solved.state().source;
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
     const Solution& solution = solved.state().solution;

@@ -416,6 +416,8 @@ Pose driven_as(const Mechanism& mechanism, Pose pose) {
 
 }  // namespace
 
+bool finds_centres(const Mechanism& mechanism) { return wanted_of(mechanism).centres; }
+
 Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
     auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(std::move(pose.error()));

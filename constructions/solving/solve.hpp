@@ -11,6 +11,9 @@ namespace kinegraph {
 /// time. No result depends on it.
 enum class Arithmetic { told, left_out };
 
+/// Whether solving finds the instant centres: the file asks for them or for nothing in particular.
+bool finds_centres(const Mechanism& mechanism);
+
 /// Errors: only those of the pose (curves that do not meet, misfits). Results that the mechanism does not determine are
 /// in Solution::unsolved, with the reason.
 Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic = Arithmetic::told);

@@ -150,6 +150,9 @@ private:
 
 namespace {
 
+/// In brief a solution of more sentences than these keeps no scale: dozens of pages are not planned twice.
+constexpr std::size_t most_compared = 300;
+
 /// A problem has the same scales in every language, and no coarser ones in brief, where that costs no page.
 std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     if (options.kept) return options.kept;
@@ -158,7 +161,8 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
         other.language = Language::en;
         return scales_of_solution(solution, other, fonts);
     }
-    if (options.detail == SolutionDetail::full) return std::nullopt;
+    if (options.detail == SolutionDetail::full || solution.protocol.statements.size() > most_compared)
+        return std::nullopt;
     other.detail = SolutionDetail::full;
     KeptScales kept = scales_of_solution(solution, other, fonts);
     kept.hold = KeptScales::Hold::not_coarser;
@@ -167,8 +171,9 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
 
 template <class Make>
 auto from_layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts, Make make) {
-    Layout layout(solution, options, scales_to_keep(solution, options, fonts), fonts);
-    if (options.detail == SolutionDetail::brief && !options.kept) {
+    const std::optional<KeptScales> kept = scales_to_keep(solution, options, fonts);
+    Layout layout(solution, options, kept, fonts);
+    if (options.detail == SolutionDetail::brief && kept && !options.kept) {
         Layout free(solution, options, std::nullopt, fonts);
         if (free.pages() < layout.pages()) return make(free);
     }

@@ -12,6 +12,15 @@ std::optional<Words> beyond_sheet(const Solution& solution) {
     if (polygons > most_polygons)
         return Words(lang::pages::a_sheet_of_this_solution_would_have, std::to_string(polygons),
                      std::to_string(most_polygons));
+    if (const std::size_t bodies = solution.mechanism.bodies.size(); bodies > most_drawn_bodies)
+        return Words(lang::pages::a_drawing_of_many_bodies, std::to_string(bodies), std::to_string(most_drawn_bodies));
+    return std::nullopt;
+}
+
+std::optional<Words> beyond_steps(const Solution& solution) {
+    if (auto beyond = beyond_sheet(solution)) return beyond;
+    if (const std::size_t pages = solution.protocol.statements.size(); pages > most_steps)
+        return Words(lang::pages::steps_of_many_pages, std::to_string(pages), std::to_string(most_steps));
     return std::nullopt;
 }
 

@@ -13,8 +13,14 @@ namespace kinegraph::render {
 constexpr std::size_t most_sentences = 2000;
 /// Polygons of a solution on one sheet.
 constexpr std::size_t most_polygons = 80;
+/// Bodies of one figure of the mechanism.
+constexpr std::size_t most_drawn_bodies = 250;
+/// Sentences of a solution that is drawn step by step, on a page each.
+constexpr std::size_t most_steps = 240;
 
 /// Why a solution is not laid out, with the limit and a remedy; none if it is.
 std::optional<Words> beyond_sheet(const Solution& solution);
+/// The same of its steps.
+std::optional<Words> beyond_steps(const Solution& solution);
 
 }  // namespace kinegraph::render

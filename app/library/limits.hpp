@@ -1,0 +1,24 @@
+// Limits of what is solved in one run: beyond them a small file would take minutes or the memory of a machine for many
+// requests. docs/file_faults.md lists them; those of a sheet are in render/sheet/sheet_limits.hpp.
+#pragma once
+
+#include <optional>
+
+#include "engine/file/error.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "lang/words.hpp"
+
+namespace kinegraph::app {
+
+/// Bodies of a mechanism or truss: planning its forces and checking them takes the cube of their number.
+constexpr std::size_t most_bodies = 300;
+/// Bodies of a mechanism whose instant centres are found: their number grows with the square.
+constexpr std::size_t most_bodies_with_centres = 250;
+/// Bodies of a mechanism whose positions are found one after another: in each, closing and checking it takes the cube.
+constexpr std::size_t most_swept_bodies = 40;
+
+/// Why a file is not solved, with the limit and a remedy; none if it is.
+std::optional<Error> beyond_solving(const Mechanism& mechanism);
+std::optional<Words> beyond_sweep(const Mechanism& mechanism);
+
+}  // namespace kinegraph::app

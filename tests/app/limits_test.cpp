@@ -1,0 +1,67 @@
+// The limits that docs/file_faults.md lists: one line with the limit and a remedy, status 2, and nothing written. One
+// body less is solved.
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+#include "app/library/limits.hpp"
+#include "render/sheet/sheet_limits.hpp"
+#include "tests/support/command_line.hpp"
+
+namespace kinegraph::tests::limits_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Limits : public CommandLine {
+protected:
+    /// A chain of that many bodies, the frame included, each link driven.
+    void write_chain(std::size_t bodies, const Json& find = nullptr) const {
+        Json file{{"kinegraph", 1}, {"frame", "0"}, {"points", {{"P0", {0, 0}}}}};
+        for (std::size_t i = 1; i < bodies; ++i) {
+            const std::string link = std::to_string(i), from = "P" + std::to_string(i - 1), to = "P" + link;
+            file["points"][to] = {i, i % 3};
+            file["bodies"][link] = {from, to};
+            file["joints"].push_back({{"revolute", from}, {"bodies", {std::to_string(i - 1), link}}});
+            file["drivers"].push_back({{"body", link}, {"omega", 1}});
+        }
+        if (!find.is_null()) file["find"] = find;
+        std::ofstream(folder_ / "chain.json") << file;
+    }
+    void expect_refused(const std::string& command, const std::string& place) const {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_TRUE(lines_are(outcome.err, "chain\\.json: " + place + ".*")) << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv")) << "half written";
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out.svg")) << "half written";
+    }
+};
+
+TEST_F(Limits, OfBodiesAndOfInstantCentres) {
+    write_chain(app::most_bodies + 1, {"velocity"});
+    expect_refused("solve chain.json -o out.svg", "/bodies: 301 bodies; at most 300 are solved in one file");
+    write_chain(app::most_bodies, {"velocity"});
+    EXPECT_EQ(run("solve chain.json -o out.json").status, 0);
+    write_chain(app::most_bodies_with_centres + 1);
+    expect_refused("solve chain.json -o out.svg", "/find: 251 bodies have 31375 instant centres");
+    expect_refused("solve chain.json --at 10° -o out.svg", "/find: 251 bodies have 31375 instant centres");
+}
+
+TEST_F(Limits, OfASweep) {
+    write_chain(app::most_swept_bodies + 1);
+    expect_refused("sweep chain.json -o out.csv", "a sweep moves at most 40 bodies, and this file has 41");
+    write_chain(app::most_swept_bodies, {"velocity"});
+    EXPECT_EQ(run("sweep chain.json --steps 2 -o out.csv").status, 0);
+}
+
+TEST_F(Limits, OfSheetsAndSteps) {
+    write_chain(render::most_drawn_bodies + 1, {"velocity"});
+    expect_refused("solve chain.json -o out.svg", "/find: a drawing has at most 250 bodies");
+    // 24 bodies have 276 instant centres, with a sentence each.
+    write_chain(24);
+    expect_refused("solve chain.json --steps -o out.svg", "/find: the steps of this solution would take");
+    EXPECT_EQ(run("solve chain.json --sheet question -o out.svg").status, 0);
+}
+
+}  // namespace
+}  // namespace kinegraph::tests::limits_test
