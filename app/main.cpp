@@ -161,7 +161,7 @@ void add_settings(CLI::App& command, std::vector<ParameterValue>& set) {
 struct SolveWords {
     SolveRequest request;
     std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto", detail = "full",
-                sheet = "solution", superposition = "joined";
+                sheet = "solution", superposition = "joined", film_height = "720";
 
     SolveRequest meant() const {
         SolveRequest full = request;
@@ -177,6 +177,8 @@ struct SolveWords {
         if (superposition == "each") drawing.superposition = Options::Superposition::each;
         if (sheet == "question") drawing.sheet = Options::Sheet::question;
         if (sheet == "answers") drawing.sheet = Options::Sheet::answers;
+        if (full.beamer) drawing.slides = true;
+        full.film_height = std::stoi(film_height);
         return full;
     }
 };
@@ -184,13 +186,14 @@ struct SolveWords {
 void add_outputs(CLI::App& command, SolveRequest& request) {
     command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        .add_option("-o,--output", request.outputs,
-                    "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are "
-                    "OUT-2.svg, OUT-3.svg. "
-                    "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
+        .add_option(
+            "-o,--output", request.outputs,
+            "OUT.svg, .png, .pdf, .tex, .dxf, .json, .html (the live page), or .mp4, .webm, .gif (a film of the "
+            "steps); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+            "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    add_format(command, request.format, {"svg", "png", "pdf", "tex", "json", "html"});
+    add_format(command, request.format, {"svg", "png", "pdf", "tex", "dxf", "json", "html", "mp4", "webm", "gif"});
 }
 
 void add_paper(CLI::App& command, SolveWords& words) {
@@ -232,6 +235,29 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         .add_flag("--steps", words.request.drawing.steps,
                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
         ->excludes("--figure");
+    command
+        .add_flag("--slides", words.request.drawing.slides,
+                  "With --steps: pages of 16:9 for a projector, with large type and without title block")
+        ->excludes("--paper")
+        ->excludes("--orientation");
+}
+
+void add_film_height(CLI::App& command, std::string& height) {
+    add_choice(command, "--height", height, "Height of the pictures of a film, pixels; they are 16:9",
+               {"360", "540", "720", "1080", "1440", "2160"}, "N");
+}
+
+/// Options of slides in LaTeX, and of a film of the steps.
+void add_lecture(CLI::App& command, SolveWords& words) {
+    command.add_flag("--beamer", words.request.beamer,
+                     "With --steps: OUT.tex for the class beamer, a frame for each figure, an overlay for each step");
+    one_of_any_case(
+        command.add_option("--captions", words.request.captions,
+                           "Where a film has the sentences: file (OUT.vtt beside it), burnt (in the pictures) or none; "
+                           "without it file, of a .gif burnt"),
+        {"file", "burnt", "none"})
+        ->type_name("HOW");
+    add_film_height(command, words.film_height);
 }
 
 void add_theme(CLI::App& command, std::string& theme) {
@@ -257,9 +283,13 @@ void add_text(CLI::App& command, Lettering& lettering) {
     one_of_any_case(
         command.add_option_function<std::string>(
             "--text",
-            [&lettering](const std::string& how) { lettering = how == "live" ? Lettering::live : Lettering::outlines; },
-            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)"),
-        {"outlines", "live"})
+            [&lettering](const std::string& how) {
+                lettering = how == "live" ? Lettering::live : how == "office" ? Lettering::office : Lettering::outlines;
+            },
+            "How SVG and PDF carry their words: outlines, live (they can be selected, searched and read aloud) or "
+            "office "
+            "(an SVG for word processors, in Times New Roman)"),
+        {"outlines", "live", "office"})
         ->type_name("HOW")
         ->default_str("outlines");
 }
@@ -304,6 +334,7 @@ void add_solve(CLI::App& program, Action& action) {
     add_settings(*command, words->request.set);
     add_paper(*command, *words);
     add_sheet(*command, *words);
+    add_lecture(*command, *words);
     add_look(*command, words->request);
     command
         ->add_option(
@@ -430,13 +461,17 @@ void add_sweep(CLI::App& program, Action& action) {
     command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
         ->add_option("-o,--output", request.outputs,
-                     "OUT.csv or .json (SI units), .svg, .png, .pdf or .tex (the sheet with plots); may be given "
-                     "again. Without it CSV "
-                     "goes to standard output")
+                     "OUT.csv or .json (SI units), .svg, .png, .pdf, .tex or .dxf (the sheet with plots), .mp4, .webm "
+                     "or .gif (a film of the motion); may be given again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex"});
+    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex", "dxf", "mp4", "webm", "gif"});
     add_settings(*command, request.set);
+    command->add_option("--frames", request.frames, "Pictures of a film, from one end of the motion to the other")
+        ->check(whole_number(2, 720))
+        ->type_name("N")
+        ->capture_default_str();
+    add_film_height(*command, words->sheet.film_height);
     command
         ->add_option("--over", request.options.over,
                      "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by "
@@ -447,7 +482,13 @@ void add_sweep(CLI::App& program, Action& action) {
     add_travel(*command, request);
     add_plots(*command, request);
     add_paper(*command, words->sheet);
-    command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
+    command->callback([&action, words] {
+        action = [words] {
+            SweepRequest meant = words->meant();
+            meant.film_height = words->sheet.meant().film_height;
+            return sweep_command(meant);
+        };
+    });
 }
 
 void add_variants(CLI::App& program, Action& action) {
@@ -507,12 +548,12 @@ void add_cam(CLI::App& program, Action& action) {
     command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
     command
         ->add_option("-o,--output", request.outputs,
-                     "OUT.csv (SI units), .svg, .png, .pdf or .tex (the sheet), .json (the mechanism file of one "
+                     "OUT.csv (SI units), .svg, .png, .pdf, .tex or .dxf (the sheet), .json (the mechanism file of one "
                      "position); may be given "
                      "again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex"});
+    add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex", "dxf"});
     command
         ->add_option("--at", request.options.at,
                      "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where "
@@ -592,14 +633,16 @@ void add_pairs(CLI::App& program, Action& action) {
     PairsRequest& request = words->request;
     command->add_option("FILE", request.file, "The mechanism file; - is standard input");
     command
-        ->add_option("-o,--output", request.outputs,
-                     "The catalogue drawn, OUT.svg, .png or .pdf, or what is printed as .json; may be given again. "
-                     "Further pages "
-                     "are OUT-2.svg, OUT-3.svg")
+        ->add_option(
+            "-o,--output", request.outputs,
+            "The catalogue drawn, OUT.svg, .png, .pdf, .tex or .dxf, or what is printed as .json; may be given again. "
+            "Further pages "
+            "are OUT-2.svg, OUT-3.svg")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    one_of(command->add_option("--format", request.format, "text, markdown or json; of what is drawn svg, png or pdf"),
-           {"text", "markdown", "json", "svg", "png", "pdf"})
+    one_of(command->add_option("--format", request.format,
+                               "text, markdown or json; of what is drawn svg, png, pdf, tex or dxf"),
+           {"text", "markdown", "json", "svg", "png", "pdf", "tex", "dxf"})
         ->type_name("FORMAT")
         ->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);

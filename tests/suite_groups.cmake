@@ -4,7 +4,7 @@
 set(suites_of_sheets "Sheet.*|Lying/OverlapOnPaper|Bands|Theme|FigureOne|Brief|.*DataStatement")
 set(suites_of_steps_and_upright "Upright/OverlapOnPaper|Examples/Steps|Steps.*|Handouts")
 set(suites_of_figures "MechanismFigure|OnMechanism|Labels|Polygon.*|.*FigureAlone.*|.*LoadedExample.*|Symbols|CircleDiagram")
-set(suites_of_commands "CommandLine|Batch.*|Sweep.*|SolveAt|.*Command|SameBytes|TexFiles|LiveFiles|QuizFiles|HandoutLine|AnswersLine|.*Commands|MotionOnTheCommandLine")
+set(suites_of_commands "CommandLine|Batch.*|Sweep.*|SolveAt|.*Command|SameBytes|TexFiles|LiveFiles|DxfFiles|FilmFiles|SlidesFiles|QuizFiles|HandoutLine|AnswersLine|.*Commands|MotionOnTheCommandLine")
 set(kinegraph_suite_groups sheets steps_and_upright figures commands)
 
 # Under sanitizers: the suites that read files and texts, solve and lay out. `tests/run --sanitize --all` runs the

@@ -20,10 +20,11 @@ struct Written {
     std::string_view ending;
 };
 /// In the order of Request::Format.
-constexpr std::array<Written, 5> batch_formats{{{Format::svg, ".svg"},
+constexpr std::array<Written, 6> batch_formats{{{Format::svg, ".svg"},
                                                 {Format::png, ".png"},
                                                 {Format::pdf, ".pdf"},
                                                 {Format::tex, ".tex"},
+                                                {Format::dxf, ".dxf"},
                                                 {Format::json, ".json"}}};
 
 /// The output files: TO.json, TO.svg … For a line without "to": a name for each, under which nothing is written.

@@ -92,10 +92,10 @@ std::string hash_of(const Request& request, const std::string& theme) {
     all << static_cast<int>(drawing.language) << static_cast<int>(drawing.paper)
         << static_cast<int>(drawing.orientation) << static_cast<int>(drawing.dimensions)
         << static_cast<int>(drawing.detail) << static_cast<int>(drawing.superposition)
-        << static_cast<int>(drawing.sheet) << static_cast<int>(drawing.steps) << static_cast<int>(drawing.grid)
-        << static_cast<int>(request.exact) << request.positions.branch << drawing.author << drawing.date
-        << drawing.figure << request.positions.driver << request.positions.at << request.with
-        << std::to_string(request.dpi);
+        << static_cast<int>(drawing.sheet) << static_cast<int>(drawing.steps) << static_cast<int>(drawing.slides)
+        << static_cast<int>(drawing.grid) << static_cast<int>(request.exact) << request.positions.branch
+        << drawing.author << drawing.date << drawing.figure << request.positions.driver << request.positions.at
+        << request.with << std::to_string(request.dpi);
     return all.hash();
 }
 

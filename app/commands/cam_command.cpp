@@ -1,6 +1,5 @@
 // cam FILE: computes the disc cam that gives its follower a law, solves every position of it as a mechanism and
 // compares the result with the law.
-#include <array>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
@@ -47,7 +46,7 @@ Status run(const CamRequest& request, const std::vector<Target>& targets, const 
 
 Status cam_command(const CamRequest& request) {
     const Language language = request.sheet.language;
-    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf, Format::tex};
+    constexpr auto formats = drawings_and(Format::csv, Format::json);
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});

@@ -18,6 +18,9 @@ struct SolveRequest : Request {
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs without a known extension; may be empty
     Lettering lettering = Lettering::outlines;
+    bool beamer = false;    ///< LaTeX for the class beamer, of steps
+    std::string captions;   ///< of a film: file, burnt or none; empty: not said, file
+    int film_height = 720;  ///< of a film, pixels
 
     Language language() const { return drawing.language; }
 };
@@ -44,6 +47,8 @@ struct SweepRequest {
     std::string theme = "colour";
     Lettering lettering = Lettering::outlines;
     double dpi = 150;
+    int frames = 120;       ///< of a film, for one way
+    int film_height = 720;  ///< pixels
 };
 Status sweep_command(const SweepRequest& request);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
+#include "app/files/film.hpp"
 #include "lang/keys/command_line.hpp"
 
 namespace kinegraph::app {
@@ -15,7 +16,8 @@ using namespace std::string_literals;
 namespace {
 
 /// In the order of Format.
-constexpr std::array<std::string_view, 7> format_names{"svg", "png", "pdf", "tex", "json", "csv", "html"};
+constexpr std::array<std::string_view, 11> format_names{"svg", "png",  "pdf", "tex",  "dxf", "json",
+                                                        "csv", "html", "mp4", "webm", "gif"};
 
 std::optional<Format> format_named(std::string name, std::span<const Format> formats) {
     std::transform(name.begin(), name.end(), name.begin(),
@@ -131,10 +133,10 @@ std::optional<Status> print(const Drawing& drawing, const Target& target, const 
         return std::nullopt;
     };
     if (target.format == Format::pdf) return add(target.path, drawing.pdf(printing.lettering));
-    if (target.format == Format::tex) return add(target.path, drawing.tex());
+    if (target.format == Format::tex) return add(target.path, printing.beamer ? drawing.beamer() : drawing.tex());
     const std::size_t count = target.standard() ? 1 : drawing.pages();
-    if (target.format == Format::svg) {
-        std::vector<std::string> pages = drawing.svg(printing.lettering);
+    if (target.format == Format::svg || target.format == Format::dxf) {
+        std::vector<std::string> pages = target.format == Format::svg ? drawing.svg(printing.lettering) : drawing.dxf();
         for (std::size_t page = 0; page < count; ++page)
             outputs.push_back({target.path_of_page(page), std::move(pages[page])});
     } else {
@@ -143,6 +145,42 @@ std::optional<Status> print(const Drawing& drawing, const Target& target, const 
     }
     if (count < drawing.pages())
         remarks.push_back(Words(lang::command_line::the_sheet_has_pages_and_standard, std::to_string(drawing.pages())));
+    return std::nullopt;
+}
+
+std::optional<Status> add_film(const Drawing& drawing, const Target& target, const FilmOptions& options,
+                               std::vector<Output>& outputs) {
+    using Course = FilmOptions::Course;
+    const FilmKind kind = target.format == Format::mp4    ? FilmKind::mp4
+                          : target.format == Format::webm ? FilmKind::webm
+                                                          : FilmKind::gif;
+    const bool is_motion = options.course != Course::steps;
+    const int rate = is_motion ? rate_of_motion(kind) : rate_of_stills(kind);
+    constexpr double inches_high = 4.5;  // of a slide
+    std::vector<Shot> shots;
+    for (std::size_t page = 0; page < drawing.pages(); ++page) {
+        auto png = drawing.png(page, options.height / inches_high);
+        if (!png) return cannot_draw("kinegraph"s, png.error(), options.language);
+        const std::string words = drawing.sentences(page);
+        shots.push_back({*std::move(png), is_motion ? 1 : reading_frames(words, rate), words});
+    }
+    if (options.course == Course::to_and_fro)
+        for (std::size_t page = shots.size() - 1; page-- > 1;) shots.push_back(shots[page]);
+    auto film = film_of(shots, rate, kind);
+    if (!film) {
+        refuse(film.error(), options.language);
+        return Status::output;
+    }
+    outputs.push_back({target.path, *std::move(film)});
+    const bool has_captions =
+        std::any_of(shots.begin(), shots.end(), [](const Shot& shot) { return !shot.caption.empty(); });
+    if (options.captions != Captions::file || target.standard() || !has_captions) return std::nullopt;
+    Output captions{target.path.substr(0, ending_begins(target.path)) + ".vtt", captions_of(shots, rate)};
+    // Two films of one name share their captions.
+    const bool is_there = std::any_of(outputs.begin(), outputs.end(), [&](const Output& other) {
+        return other.path == captions.path && other.bytes == captions.bytes;
+    });
+    if (!is_there) outputs.push_back(std::move(captions));
     return std::nullopt;
 }
 

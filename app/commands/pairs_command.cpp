@@ -1,6 +1,5 @@
 // pairs [FILE]: the catalogue of pairs, printed or drawn, or the pairs of a mechanism with its counts and its verdict.
 #include <algorithm>
-#include <array>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
@@ -71,7 +70,7 @@ Status pairs_command(const PairsRequest& request) {
                                                                         : TextForm::plain);
         return text ? print(*text, language) : text.error();
     }
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json};
+    constexpr auto formats = drawings_and(Format::json);
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     return targets ? write_targets(request, *targets) : refuse(targets.error(), language);
 }

@@ -65,6 +65,8 @@ Words meaningless(const SolveRequest& request) {
     if (drawing.superposition == DrawingOptions::Superposition::each && (!solution || brief))
         return both("--superposition each", solution ? "--detail brief" : kind);
     if (!drawing.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
+    if (drawing.slides && !drawing.steps)
+        return {lang::command_line::slides_show_the_steps, std::string(request.beamer ? "--beamer" : "--slides")};
     if (drawing.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
     if (!solution && wants(request, "joukowsky")) return both("--with joukowsky", kind);
     if (!solution && wants(request, "equations")) return both("--with equations", kind);
@@ -83,6 +85,20 @@ Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>
                                                                          : nullptr;
     if (other == nullptr) return {};
     return {lang::command_line::has_no_meaning_for_a_live, std::string(other)};
+}
+
+/// The same for a film, which is the whole solution, step by step.
+Words meaningless_in_film(const SolveRequest& request, const std::vector<Target>& targets) {
+    const auto film =
+        std::find_if(targets.begin(), targets.end(), [](const Target& target) { return target.is_film(); });
+    if (film == targets.end()) return {};
+    const DrawingOptions& drawing = request.drawing;
+    const char* const other = !drawing.figure.empty()            ? "--figure"
+                              : drawing.detail == Detail::brief  ? "--detail brief"
+                              : drawing.sheet != Sheet::solution ? "--sheet"
+                                                                 : nullptr;
+    if (other == nullptr) return {};
+    return {lang::command_line::and_exclude_each_other_leave, "-o " + film->path, std::string(other)};
 }
 
 /// Remarks on options that have no effect.
@@ -115,11 +131,14 @@ std::vector<Text> remarks_on_request(const SolveRequest& request, const Solved& 
     const DrawingOptions& drawing = request.drawing;
     for (const WithoutEffect& each : std::vector<WithoutEffect>{
              {!drawing.figure.empty() && !draws, {lang::command_line::figure_chooses_what_is_drawn}},
-             {request.lettering == Lettering::live && none_is({Format::svg, Format::pdf}),
+             {request.lettering != Lettering::outlines && none_is({Format::svg, Format::pdf}),
               {lang::command_line::text_says_how_svg_and_pdf}},
              {drawing.steps && !draws, {lang::command_line::steps_adds_pages_to_what}},
              {drawing.sheet != Sheet::solution && !draws, {lang::command_line::sheet_chooses_what_is_drawn}},
              {drawing.detail == Detail::brief && !draws, {lang::command_line::detail_says_how_much_is_drawn}},
+             {request.beamer && none_is({Format::tex}), {lang::command_line::beamer_is_of_tex}},
+             {!request.captions.empty() && none_is({Format::mp4, Format::webm, Format::gif}),
+              {lang::command_line::captions_are_of_a_film}},
              {request.exact && none_is({Format::json}), {lang::command_line::exact_adds_to_the_json_results}}})
         if (each.is) remarks.push_back(each.remark);
     return remarks;
@@ -143,7 +162,9 @@ public:
     std::optional<Status> make(const std::vector<Target>& targets) {
         std::optional<Drawing> drawing;
         std::vector<Text> in_the_end;
-        const auto is_sheet = [](const Target& target) { return target.is_drawn() && !target.is_page(); };
+        const auto is_sheet = [](const Target& target) {
+            return target.is_drawn() && !target.is_page() && !target.is_film();
+        };
         if (std::any_of(targets.begin(), targets.end(), is_sheet)) {
             auto drawn = draw(solved_, options_);
             if (!drawn) return not_drawn(drawn.error());
@@ -151,10 +172,11 @@ public:
             drawing = *std::move(drawn);
         }
         for (const Target& target : targets) {
-            const auto failed = target.is_page() ? pages(target, in_the_end)
+            const Printing printing{request_.language(), request_.lettering, request_.dpi, request_.beamer};
+            const auto failed = target.is_page()   ? pages(target, in_the_end)
+                                : target.is_film() ? film(target, in_the_end)
                                 : target.is_drawn()
-                                    ? print(*drawing, target, {request_.language(), request_.lettering, request_.dpi},
-                                            outcome_.outputs, outcome_.remarks)
+                                    ? print(*drawing, target, printing, outcome_.outputs, outcome_.remarks)
                                     : results(target);
             if (failed) return failed;
         }
@@ -177,6 +199,20 @@ private:
             std::move(page->remarks.begin(), page->remarks.end(), std::back_inserter(remarks));
         }
         return std::nullopt;
+    }
+    /// The steps as a film. Where nothing shows captions they are in the pictures.
+    std::optional<Status> film(const Target& target, std::vector<Text>& remarks) {
+        const bool burnt = request_.captions == "burnt" || (request_.captions.empty() && target.format == Format::gif);
+        DrawingOptions slides = options_;
+        slides.steps = slides.slides = true;
+        slides.sentences = burnt;
+        const auto drawn = draw(solved_, slides);
+        if (!drawn) return not_drawn(drawn.error());
+        for (Text& each : drawn->remarks()) remarks.push_back(std::move(each));
+        const Captions captions = burnt                         ? Captions::burnt
+                                  : request_.captions == "none" ? Captions::none
+                                                                : Captions::file;
+        return add_film(*drawn, target, {request_.language(), captions, request_.film_height}, outcome_.outputs);
     }
     std::optional<Status> results(const Target& target) {
         for (std::size_t i = 0; i < (target.standard() ? 1 : solved_.size()); ++i)
@@ -239,12 +275,13 @@ tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std:
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language();
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json, Format::html};
+    constexpr auto formats = drawings_and(Format::json, Format::html, Format::mp4, Format::webm, Format::gif);
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     SolveRequest full = request;
     if (const auto status = set_theme(full.drawing, request.theme, request.file)) return *status;
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
+    if (const Words fault = meaningless_in_film(request, *targets); !fault.empty()) return refuse(fault, language);
     const auto outcome = outcome_of(full, *targets);
     if (!outcome) return outcome.error();
     if (const auto failure = write_all(outcome->outputs)) return fail_to_write(*failure, language);

@@ -1,6 +1,6 @@
 // sweep FILE: the results in a sequence of positions, or of values of a parameter, as rows that are written while they
 // are computed.
-#include <array>
+#include <algorithm>
 #include <optional>
 
 #include "app/commands/commands.hpp"
@@ -63,6 +63,19 @@ tl::expected<std::vector<Output>, Status> rows_written(const SweepRequest& reque
     return outputs;
 }
 
+/// The motion as a film: once round, or to the end and back.
+std::optional<Status> film(const SweepRequest& request, const DrawingOptions& options, const Target& target,
+                           Sweep& sweep, std::vector<Output>& outputs) {
+    const auto frames = draw_frames(sweep, request.frames, options);
+    if (!frames) return cannot_draw(spoken(request.file), frames.error(), options.language);
+    const auto [first, last] = sweep.limits();
+    const bool goes_round = !first && !last && request.options.from.empty() && request.options.to.empty();
+    using Course = FilmOptions::Course;
+    const FilmOptions film{options.language, Captions::none, request.film_height,
+                           goes_round ? Course::round : Course::to_and_fro};
+    return add_film(*frames, target, film, outputs);
+}
+
 /// Writes all outputs; reports the results and errors.
 Status run(const SweepRequest& request, const std::vector<Target>& targets, Sweep sweep) {
     const Words name = spoken(request.file);
@@ -75,14 +88,22 @@ Status run(const SweepRequest& request, const std::vector<Target>& targets, Swee
     const auto add = [&](const std::vector<Text>& more) { remarks.insert(remarks.end(), more.begin(), more.end()); };
     add(sweep.remarks());
     if (any_drawn(targets)) {
-        const auto drawn = draw(sweep, drawing);
-        if (!drawn) return cannot_draw(name, drawn.error(), language);
-        for (const Target& target : targets)
-            if (target.is_drawn())
-                if (const auto failed =
-                        print(*drawn, target, {language, request.lettering, request.dpi}, *outputs, remarks))
-                    return *failed;
-        add(drawn->remarks());
+        const auto is_sheet = [](const Target& target) { return target.is_drawn() && !target.is_film(); };
+        const bool has_sheet = std::any_of(targets.begin(), targets.end(), is_sheet);
+        std::optional<Drawing> sheet;
+        if (has_sheet) {
+            auto drawn = draw(sweep, drawing);
+            if (!drawn) return cannot_draw(name, drawn.error(), language);
+            sheet = *std::move(drawn);
+            add(sheet->remarks());
+        }
+        for (const Target& target : targets) {
+            if (!target.is_drawn()) continue;
+            const auto failed =
+                target.is_film() ? film(request, drawing, target, sweep, *outputs)
+                                 : print(*sheet, target, {language, request.lettering, request.dpi}, *outputs, remarks);
+            if (failed) return *failed;
+        }
     }
     if (names_clash(*outputs, request.file, language)) return Status::bad_input;
     if (const auto failure = write_all(*outputs)) return fail_to_write(*failure, language);
@@ -96,7 +117,7 @@ Status run(const SweepRequest& request, const std::vector<Target>& targets, Swee
 
 Status sweep_command(const SweepRequest& request) {
     const Language language = request.sheet.language;
-    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf, Format::tex};
+    constexpr auto formats = drawings_and(Format::csv, Format::json, Format::mp4, Format::webm, Format::gif);
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});

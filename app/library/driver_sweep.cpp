@@ -16,8 +16,11 @@
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
 #include "constructions/positions/cycle.hpp"
+#include "constructions/positions/drawn_motion.hpp"
+#include "constructions/solving/solve.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/results/operands.hpp"
 #include "lang/keys/sheet.hpp"
 #include "lang/keys/sweeps.hpp"
@@ -134,6 +137,26 @@ public:
         auto ways = app::ways_of(mechanism, pose_, cycle_->positions(), travel, options_.poses, traces_);
         for (const Centrodes& each : centrodes_) app::add_ways(each, mechanism, ways);
         return ways;
+    }
+
+    std::vector<render::FilmFrame> film_frames(int count) const override {
+        Mechanism plain = mechanism;
+        plain.find = {};
+        plain.find.stated = plain.find.velocity = true;
+        const Mover mover(plain, pose_);
+        std::vector<render::FilmFrame> frames;
+        for (const OtherPosition& other : other_positions(cycle_->positions(), table.travel, count)) {
+            Positions here = cycle_->positions();
+            if (!here.move_to(other.coordinate)) continue;
+            const Exact coordinate = Exact::from_double(other.coordinate);
+            std::optional<Repositioned> moved =
+                here.is_singular() ? mover.moved_across(here, coordinate) : mover.moved(here, coordinate);
+            if (!moved) continue;
+            const FinerPose finer = [pose = std::move(moved->finer)] { return pose; };
+            frames.push_back(
+                {table.travel.at(other.share), solve(std::move(moved->mechanism), std::move(moved->pose), finer)});
+        }
+        return frames;
     }
 
     std::vector<Words> summary() const override {

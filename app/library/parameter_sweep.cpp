@@ -171,6 +171,7 @@ public:
                ",\n  \"to\": " + app::decimal_of(table.travel.to);
     }
     std::string json_after() const override { return poles_and_separations_json(); }
+    std::vector<render::FilmFrame> film_frames(int /*count*/) const override { return {}; }
     std::vector<render::Way> finish_table() override {
         std::vector<std::size_t> plotted;
         for (const auto& plot : plots)

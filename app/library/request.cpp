@@ -65,7 +65,7 @@ private:
         for (const JsonValue member : root) read_member(member);
         read_input(root);
         const bool is_file = std::any_of(request_.want.begin(), request_.want.end(), [](Format format) {
-            return format == Format::png || format == Format::pdf || format == Format::tex;
+            return format == Format::png || format == Format::pdf || format == Format::tex || format == Format::dxf;
         });
         if (is_file && request_.to.empty())
             faults_.push_back({ErrorCode::bad_input, "/want", {lang::library::png_pdf_and_tex_are_files}});
@@ -197,6 +197,8 @@ private:
             flag(value, request_.drawing.grid);
         else if (key == "steps")
             flag(value, request_.drawing.steps);
+        else if (key == "slides")
+            flag(value, request_.drawing.slides);
         else if (key == "exact")
             flag(value, request_.exact);
         else if (key == "dpi")
@@ -209,9 +211,9 @@ private:
     }
     void unknown(JsonValue member) {
         static constexpr auto known = std::to_array<std::string_view>(
-            {"id",         "file",   "mechanism", "set",  "want",   "to",     "lang",         "paper", "orientation",
-             "dimensions", "detail", "sheet",     "grid", "steps",  "figure", "with",         "theme", "dpi",
-             "date",       "author", "exact",     "at",   "driver", "branch", "superposition"});
+            {"id",         "file",   "mechanism", "set",   "want",  "to",     "lang",   "paper",        "orientation",
+             "dimensions", "detail", "sheet",     "grid",  "steps", "slides", "figure", "with",         "theme",
+             "dpi",        "date",   "author",    "exact", "at",    "driver", "branch", "superposition"});
         Speller speller;
         fault(member, Words(lang::library::a_line_has_no_key, std::string(member.key())) +
                           did_you_mean(speller.nearest(member.key(), known)));
@@ -240,7 +242,8 @@ private:
                             {"svg", Format::svg},
                             {"png", Format::png},
                             {"pdf", Format::pdf},
-                            {"tex", Format::tex}},
+                            {"tex", Format::tex},
+                            {"dxf", Format::dxf}},
                            format);
             if (std::find(request_.want.begin(), request_.want.end(), format) == request_.want.end())
                 request_.want.push_back(format);

@@ -131,11 +131,12 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     if (!theme) return tl::unexpected(theme.error());
     render::SheetOptions sheet;
     sheet.language = options.language;
-    sheet.paper = options.paper == Paper::a3       ? render::Paper::a3
+    sheet.paper = options.slides                   ? render::Paper::slide
+                  : options.paper == Paper::a3     ? render::Paper::a3
                   : options.paper == Paper::letter ? render::Paper::letter
                                                    : render::Paper::a4;
-    sheet.orientation = options.orientation == DrawingOptions::Orientation::portrait ? render::Orientation::portrait
-                                                                                     : render::Orientation::landscape;
+    const bool upright = options.orientation == DrawingOptions::Orientation::portrait && !options.slides;
+    sheet.orientation = upright ? render::Orientation::portrait : render::Orientation::landscape;
     sheet.dimensions = options.dimensions == Dimensions::on    ? render::Dimensions::on
                        : options.dimensions == Dimensions::off ? render::Dimensions::off
                                                                : render::Dimensions::automatic;
@@ -145,6 +146,7 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     sheet.kind = options.sheet == SheetWanted::question  ? render::SheetKind::question
                  : options.sheet == SheetWanted::answers ? render::SheetKind::answers
                                                          : render::SheetKind::solution;
+    sheet.with_sentences = options.sentences;
     sheet.grid = options.grid;
     if (options.scales) sheet.kept = render::KeptScales{options.scales->of_figures, options.scales->of_forces};
     sheet.joukowsky = options.lever || !options.figure.empty();
@@ -172,6 +174,7 @@ std::vector<Text> Drawing::remarks() const {
 std::vector<std::string> Drawing::svg(Lettering lettering) const {
     const auto fonts = fonts_that_drew();
     if (lettering == Lettering::live) return render::to_live_svg(state().pages, *fonts);
+    if (lettering == Lettering::office) return render::to_office_svg(state().pages, *fonts);
     return render::to_svg(state().pages, *fonts, glyph_paths_of_thread());
 }
 
@@ -185,12 +188,21 @@ Expected<std::string> Drawing::png(std::size_t page, double dpi) const {
 
 Expected<std::string> Drawing::pdf(Lettering lettering) const {
     return painted([&](const render::Fonts& fonts) {
-        return lettering == Lettering::live ? render::to_live_pdf(state().pages, fonts)
-                                            : render::to_pdf(state().pages, fonts);
+        return lettering == Lettering::outlines ? render::to_pdf(state().pages, fonts)
+                                                : render::to_live_pdf(state().pages, fonts);
     });
 }
 
 std::string Drawing::tex() const { return render::to_tex(state().pages, *fonts_that_drew()); }
+std::string Drawing::beamer() const { return render::to_beamer(state().pages, *fonts_that_drew()); }
+std::vector<std::string> Drawing::dxf() const { return render::to_dxf(state().pages, *fonts_that_drew()); }
+std::string Drawing::sentences(std::size_t page) const {
+    std::string text;
+    if (page >= state().pages.size() || !state().pages[page].step) return text;
+    for (const render::RichText& each : state().pages[page].step->sentences)
+        text += (text.empty() ? "" : "\n") + render::plain(each);
+    return text;
+}
 
 Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_out) {
     const auto fonts = fonts_of_thread();

@@ -198,4 +198,27 @@ Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
                       });
 }
 
+Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& options) {
+    Sweep::State& state = sweep.state();
+    constexpr int least = 2, most = 720;
+    if (frames < least || frames > most)
+        return refused(Diagnostic::Kind::bad_input,
+                       Words(lang::sweeps::a_film_has_frames, std::to_string(least), std::to_string(most)));
+    if (state.table.parameter || stands_for_joints(state.mechanism))
+        return refused(Diagnostic::Kind::bad_input, {lang::sweeps::a_film_shows_a_driver});
+    if (!state.has_rows)
+        if (const auto computed = sweep.write({}); !computed) return tl::unexpected(computed.error());
+    DrawingOptions slides = options;
+    slides.slides = true;
+    return drawing_of(slides,
+                      [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
+                          std::vector<Text>&) -> Expected<std::vector<render::Page>> {
+                          const std::vector<render::Way> ways = state.finish_table();
+                          const std::vector<render::FilmFrame> positions = state.film_frames(frames);
+                          if (positions.empty())
+                              return refused(Diagnostic::Kind::no_unique_answer, {lang::sweeps::a_film_shows_a_driver});
+                          return render::lay_out_film(positions, state.table, state.plots, ways, sheet, fonts);
+                      });
+}
+
 }  // namespace kinegraph

@@ -14,6 +14,7 @@
 #include "engine/sentences/column.hpp"
 #include "kinegraph/motion.hpp"
 #include "render/figures/plot_figure.hpp"
+#include "render/sheet/film_frames.hpp"
 
 namespace kinegraph {
 
@@ -34,6 +35,8 @@ struct Sweep::State {
     virtual std::string json_after() const = 0;
     /// Completes the table for its drawing. Returns the paths.
     virtual std::vector<render::Way> finish_table() = 0;
+    /// At most `count` positions at even steps, each solved for its motion; none over a parameter.
+    virtual std::vector<render::FilmFrame> film_frames(int count) const = 0;
     /// All of Sweep::summary() but the largest difference.
     virtual std::vector<Words> summary() const = 0;
     virtual LargestDifference::Found difference() const = 0;

@@ -133,7 +133,7 @@ std::vector<OtherPosition> other_positions(const Positions& positions, const Tra
         const double share = static_cast<double>(i) / steps;
         const Positions* here = travelling.at(share);
         if (here == nullptr) continue;
-        OtherPosition& other = found.emplace_back(OtherPosition{travelling.coordinate(share), {}});
+        OtherPosition& other = found.emplace_back(OtherPosition{travelling.coordinate(share), share, {}});
         for (std::size_t body = 0; body < here->bodies().size(); ++body)
             other.bodies.push_back(here->motion(BodyIndex(body)));
     }

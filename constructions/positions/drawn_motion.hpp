@@ -12,6 +12,7 @@ namespace kinegraph {
 /// One of the positions that are drawn, as rigid motions of the bodies (by BodyIndex) from the drawn position.
 struct OtherPosition {
     double coordinate = 0;  ///< of the driver
+    double share = 0;       ///< of the travel, from 0 to 1
     std::vector<RigidMotion> bodies;
 };
 /// `count` positions at even steps of the driver's coordinate, from one end of the travel to the other, limits

@@ -143,6 +143,12 @@ private:
 /// computes them if there are none yet. Fails as draw() of a solution and for_each_row() do.
 Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options = {});
 
+/// Draws the frames of a film: the mechanism in `frames` positions at even steps of the driver, from one end of the
+/// travel to the other, each on a page of 16:9 with the plots, in which a line shows the position. Scale and place are
+/// the same on all pages. After a whole turn the last position leads back to the first one. Fails as draw() does, over
+/// a parameter, and for fewer than 2 or more than 720 frames.
+Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& options = {});
+
 /// A cam and its follower at one turn of the cam.
 struct CamPosition {
     double turn = 0;                  ///< of the cam in its direction of rotation, rad

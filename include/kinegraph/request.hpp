@@ -16,7 +16,7 @@ namespace kinegraph {
 /// What to solve, and what to make of it. docs/batch.md has the keys of the JSON object.
 struct Request {
     /// Formats that can be requested.
-    enum class Format { svg, png, pdf, tex, json };
+    enum class Format { svg, png, pdf, tex, dxf, json };
 
     std::string id = "null";                 ///< returned with the answer: a JSON value as the request gives it
     std::string file;                        ///< path of the mechanism file; "mechanism" if the request contains it

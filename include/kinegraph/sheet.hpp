@@ -50,9 +50,11 @@ struct DrawingOptions {
     Superposition superposition = Superposition::joined;  ///< each: of a full solution only
     Sheet sheet = Sheet::solution;                        ///< what the pages are for
     bool steps = false;                                   ///< one page for each sentence instead of the sheet
-    bool grid = false;                   ///< a question gets blank space with pole and grid for its polygons
-    bool lever = false;                  ///< adds Joukowsky's lever, where forces and velocities are known
-    bool even_pages = false;             ///< an empty page follows an odd number of pages, for printing on both sides
+    bool slides = false;  ///< with `steps`: pages of 16:9 for a projector, without title block; `paper` has no meaning
+    bool sentences = true;    ///< of slides: false leaves the sentences to captions, see Drawing::sentences()
+    bool grid = false;        ///< a question gets blank space with pole and grid for its polygons
+    bool lever = false;       ///< adds Joukowsky's lever, where forces and velocities are known
+    bool even_pages = false;  ///< an empty page follows an odd number of pages, for printing on both sides
     std::optional<FigureScales> scales;  ///< of a sheet, kept as far as a page can hold the figures; none: its own
     std::string figure;                  ///< only this figure, a name from figure_names(); empty: the whole sheet
     std::string author;                  ///< in the title block; empty: none
@@ -64,7 +66,8 @@ struct DrawingOptions {
 /// How SVG and PDF store text.
 enum class Lettering {
     outlines,  ///< as outlines: the picture does not depend on installed fonts
-    live       ///< as text that can be selected, searched and read aloud
+    live,      ///< as text that can be selected, searched and read aloud, with its font in the file
+    office     ///< an SVG as text in Times New Roman, which word processors have; a PDF as live
 };
 
 /// Finished pages. An immutable value; several threads may read the same one.
@@ -82,6 +85,13 @@ public:
     /// A LaTeX document for pdflatex with a TikZ picture for each page. Included by \c \\input it gives the pictures
     /// only.
     std::string tex() const;
+    /// LaTeX for the class beamer: a frame for each figure of slides (DrawingOptions::slides), an overlay for each
+    /// step, the sentences as text. A page that is no slide is a frame by itself. For pdflatex or lualatex, twice.
+    std::string beamer() const;
+    /// One DXF drawing (AutoCAD 2007) for each page, mm, for programs of drafting. For its layers see docs/drawing.md.
+    std::vector<std::string> dxf() const;
+    /// What a page of steps says, in plain text; empty for other pages, and for a page that does not exist.
+    std::string sentences(std::size_t page) const;
     /// Warnings about the drawing: characters missing from the font, requested answers that the drawing does not show.
     std::vector<Text> remarks() const;
     /// Characters missing from the font, in Unicode order: "U+4E2D". They are drawn as this code in a box.

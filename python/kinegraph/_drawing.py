@@ -12,7 +12,7 @@ from typing import Any, Literal, TypedDict, Unpack
 from . import _core
 
 PathLike = str | os.PathLike[str]
-Text = Literal["outlines", "live"]
+Text = Literal["outlines", "live", "office"]
 
 
 class DrawingOptions(TypedDict, total=False):
@@ -34,6 +34,8 @@ class DrawingOptions(TypedDict, total=False):
     """"solution", "question" or "answers"."""
     steps: bool
     """A page for each sentence instead of the sheet."""
+    slides: bool
+    """The steps on pages of 16:9 for a projector, without title block."""
     grid: bool
     """A question gets rooms with pole and grid for its polygons."""
     lever: bool
@@ -88,12 +90,25 @@ class Drawing:
         """All pages as TikZ pictures in a document for pdflatex."""
         return self._core.tex()
 
+    def beamer(self) -> str:
+        """Slides (`steps=True, slides=True`) as LaTeX for the class beamer: a frame for each figure, an overlay for
+        each step."""
+        return self._core.beamer()
+
+    def dxf(self, page: int = 0) -> str:
+        """One page as a DXF drawing (AutoCAD 2007), mm."""
+        return self._core.dxf()[page]
+
+    def sentences(self, page: int = 0) -> str:
+        """What a page of steps says; empty for other pages."""
+        return self._core.sentences(page)
+
     def remarks(self, lang: str = "en") -> list[str]:
         """Warnings: characters that the font lacks, answers that the drawing does not show."""
         return self._core.remarks(lang)
 
     def save(self, path: PathLike, *, dpi: float = 150, text: Text = "outlines") -> list[Path]:
-        """Writes .svg, .png (further pages as x-2.svg …), .pdf or .tex; returns the paths."""
+        """Writes .svg, .png, .dxf (further pages as x-2.svg …), .pdf or .tex; returns the paths."""
         whole = Path(path)
         ending = whole.suffix.lower()
         if ending == ".svg":
@@ -104,8 +119,10 @@ class Drawing:
             contents = [self.pdf(text=text)]
         elif ending == ".tex":
             contents = [self.tex().encode()]
+        elif ending == ".dxf":
+            contents = [each.encode() for each in self._core.dxf()]
         else:
-            raise ValueError(f"{path}: a drawing ends in .svg, .png, .pdf or .tex")
+            raise ValueError(f"{path}: a drawing ends in .svg, .png, .pdf, .tex or .dxf")
         paths = [numbered(whole, page) for page in range(len(contents))]
         for each, content in zip(paths, contents):
             each.write_bytes(content)

@@ -163,16 +163,16 @@ class Solution(Mapping[str, float]):
 
     def save(self, path: PathLike, *, dpi: float = 150, text: Text = "outlines", exact: bool = False,
              **options: Unpack[DrawingOptions]) -> list[Path]:
-        """Writes a file by its ending: .svg, .png, .pdf and .tex the sheet or a figure, .json the results (`exact` with
-        fractions), .html the live page. Returns the paths: further pages are x-2.svg, x-3.svg …"""
+        """Writes a file by its ending: .svg, .png, .pdf, .tex and .dxf the sheet or a figure, .json the results
+        (`exact` with fractions), .html the live page. Returns the paths: further pages are x-2.svg, x-3.svg …"""
         ending = Path(path).suffix.lower()
         if ending == ".html":
             return self.page(**options).save(path)
         if ending == ".json":
             Path(path).write_text(self.json(exact=exact), encoding="utf-8")
             return [Path(path)]
-        if ending not in (".svg", ".png", ".pdf", ".tex"):
-            raise ValueError(f"{path}: a solution is saved as .svg, .png, .pdf, .tex, .json or .html")
+        if ending not in (".svg", ".png", ".pdf", ".tex", ".dxf"):
+            raise ValueError(f"{path}: a solution is saved as .svg, .png, .pdf, .tex, .dxf, .json or .html")
         return self.draw(**options).save(path, dpi=dpi, text=text)
 
     def _repr_svg_(self) -> str:

@@ -19,6 +19,9 @@ void define_drawings(py::module_& module) {
                  return py::bytes(given(unlocked([&] { return drawing.pdf(lettering); })));
              })
         .def("tex", [](const Drawing& drawing) { return unlocked([&] { return drawing.tex(); }); })
+        .def("beamer", [](const Drawing& drawing) { return unlocked([&] { return drawing.beamer(); }); })
+        .def("dxf", [](const Drawing& drawing) { return unlocked([&] { return drawing.dxf(); }); })
+        .def("sentences", &Drawing::sentences)
         .def("remarks", [](const Drawing& drawing, const std::string& lang) { return in(drawing.remarks(), lang); });
     module.def("joined", [](const std::vector<Drawing>& drawings) { return given(joined(drawings)); });
     module.def("draw_pair_catalogue", [](const py::dict& options) {

@@ -40,7 +40,8 @@ constexpr std::array sheets{Named<Options::Sheet>{"solution", Options::Sheet::so
                             Named<Options::Sheet>{"question", Options::Sheet::question},
                             Named<Options::Sheet>{"answers", Options::Sheet::answers}};
 constexpr std::array letterings{Named<Lettering>{"outlines", Lettering::outlines},
-                                Named<Lettering>{"live", Lettering::live}};
+                                Named<Lettering>{"live", Lettering::live},
+                                Named<Lettering>{"office", Lettering::office}};
 constexpr std::array text_forms{Named<TextForm>{"plain", TextForm::plain},
                                 Named<TextForm>{"markdown", TextForm::markdown},
                                 Named<TextForm>{"latex", TextForm::latex}, Named<TextForm>{"json", TextForm::json},
@@ -110,6 +111,8 @@ DrawingOptions drawing_options(const py::dict& by_name) {
             options.sheet = chosen(name, text(), sheets);
         else if (name == "steps")
             options.steps = flag();
+        else if (name == "slides")
+            options.slides = flag();
         else if (name == "grid")
             options.grid = flag();
         else if (name == "lever")

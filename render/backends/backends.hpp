@@ -40,6 +40,9 @@ std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts,
 /// The same with text that can be selected, searched and read aloud: <text> instead of outlines, with the needed subset
 /// of the font embedded. The text of each line is plain(as_set(text)).
 std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs);
+/// The same in Times New Roman, without a font in the file: word processors read none, and know the first family only.
+/// Its letters are as wide as ours.
+std::vector<std::string> to_office_svg(std::span<const Page> pages, const Glyphs& glyphs);
 
 /// Call before to_png or to_pdf. Error: the drawing library is missing, which can happen only in a program that loads
 /// it on demand.
@@ -53,8 +56,15 @@ std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
 /// The same with accessibility: tags (paragraphs, figures), language, and the text plain(as_set(text)) of every line.
 std::string to_live_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
 
+/// DXF (AutoCAD 2007), one drawing for each page: mm, y upwards, a layer for each role, true arcs and circles, text
+/// that is text.
+std::vector<std::string> to_dxf(std::span<const Page> pages, const Glyphs& glyphs);
+
 /// LaTeX: a complete document for pdflatex with TikZ, one picture per page; read by \input in another document, it
 /// gives the pictures only. Colours, line kinds and named points are defined first; TeX typesets the words.
 std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs);
+/// LaTeX for the class beamer: consecutive pages of steps with the same figure are one frame with an overlay for each,
+/// whose sentences TeX sets. For pdflatex and lualatex.
+std::string to_beamer(const std::vector<Page>& pages, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/text/utf8.hpp"
 
@@ -145,6 +146,27 @@ std::string reading_of(const LiveLine& line) {
     std::string text;
     for (const LiveRun& run : line.runs) text += run.text;
     return text;
+}
+
+double width_of(const Outline& outline) {
+    constexpr double least_white = 0.03;
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto take = [&](Spot spot) {
+        left = std::min(left, spot.x);
+        right = std::max(right, spot.x);
+    };
+    for (const Segment& segment : outline.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) take(m->to);
+        if (const auto* l = std::get_if<LineTo>(&segment)) take(l->to);
+        if (const auto* c = std::get_if<CurveTo>(&segment)) take(c->to);
+    }
+    return left > right ? 0 : right + std::max(left, least_white);
+}
+
+Spot turned(const TextMark& mark, Spot spot) {
+    const double c = std::cos(mark.angle), s = std::sin(mark.angle);
+    const Spot from = spot - mark.pivot;
+    return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
 }
 
 }  // namespace kinegraph::render

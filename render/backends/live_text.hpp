@@ -48,4 +48,10 @@ RichText text_of(const TextMark& mark);
 /// The readable text of a line: plain(text_of(mark)) without characters that can be neither seen nor heard.
 std::string reading_of(const LiveLine& line);
 
+/// Estimated width of a glyph, em, from its ink: equal white space on both sides, with a minimum.
+double width_of(const Outline& outline);
+
+/// The position on paper of a spot of a text that is not turned yet.
+Spot turned(const TextMark& mark, Spot spot);
+
 }  // namespace kinegraph::render

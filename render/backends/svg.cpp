@@ -531,14 +531,27 @@ std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts)
     return to_svg(pages, fonts, outlines);
 }
 
-std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs) {
+namespace {
+
+/// `type_of`: of a page.
+template <class TypeOf>
+std::vector<std::string> to_svg_with_type(std::span<const Page> pages, const Glyphs& glyphs, TypeOf type_of) {
     GlyphPaths outlines;
     std::vector<std::string> texts;
     for (const Page& page : pages) {
-        const EmbeddedType type = embedded_type(page.marks, glyphs);
+        const EmbeddedType type = type_of(page);
         texts.push_back(Writer(page, glyphs, outlines, &type).write());
     }
     return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs) {
+    return to_svg_with_type(pages, glyphs, [&](const Page& page) { return embedded_type(page.marks, glyphs); });
+}
+std::vector<std::string> to_office_svg(std::span<const Page> pages, const Glyphs& glyphs) {
+    return to_svg_with_type(pages, glyphs, [](const Page&) { return EmbeddedType{"Times New Roman", {}}; });
 }
 
 }  // namespace kinegraph::render

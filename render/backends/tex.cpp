@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -17,6 +16,7 @@
 
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
+#include "render/backends/overlays.hpp"
 #include "render/backends/tex_words.hpp"
 #include "render/text/utf8.hpp"
 
@@ -183,22 +183,6 @@ private:
     std::vector<std::pair<Key, Spot>> order_;
 };
 
-/// Estimated width of a glyph, em, from its ink: equal white space on both sides, with a minimum.
-double width_of(const Outline& outline) {
-    constexpr double least_white = 0.03;
-    double left = std::numeric_limits<double>::infinity(), right = -left;
-    const auto take = [&](Spot spot) {
-        left = std::min(left, spot.x);
-        right = std::max(right, spot.x);
-    };
-    for (const Segment& segment : outline.segments) {
-        if (const auto* m = std::get_if<MoveTo>(&segment)) take(m->to);
-        if (const auto* l = std::get_if<LineTo>(&segment)) take(l->to);
-        if (const auto* c = std::get_if<CurveTo>(&segment)) take(c->to);
-    }
-    return left > right ? 0 : right + std::max(left, least_white);
-}
-
 /// Widths of the letters in a document, by face. Kerning almost only moves letters together, so the largest observed
 /// advance to a next letter is the width.
 class LetterWidths {
@@ -247,13 +231,6 @@ private:
 
 Spot on_arc(const ArcTo& arc, double angle) { return arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}; }
 
-/// The rotated position of a spot of unrotated text.
-Spot turned(const TextMark& mark, Spot spot) {
-    const double c = std::cos(mark.angle), s = std::sin(mark.angle);
-    const Spot from = spot - mark.pivot;
-    return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
-}
-
 class TikzPicture {
 public:
     TikzPicture(const Page& page, const Glyphs& glyphs, Styles& styles, LetterWidths& widths)
@@ -263,10 +240,14 @@ public:
         const std::string width = number(page_.width), height = number(page_.height);
         std::string head = "\\kgbegin{" + width + "}{" + height + "}%\n\\begin{tikzpicture}[kg]\n";
         if (!page_.title.empty()) head = "% " + comment(page_.title) + "\n" + head;
-        const std::string paper = "(0,0) rectangle (" + width + "," + height + ");\n";
-        head += "\\useasboundingbox " + paper;
+        return head + lines(page_.marks) + "\\end{tikzpicture}%\n\\kgend\n";
+    }
+
+    /// What stands in the picture, a command or a comment on each line.
+    std::string lines(std::span<const Mark> marks) {
+        const std::string paper = "(0,0) rectangle (" + number(page_.width) + "," + number(page_.height) + ");\n";
+        std::string head = "\\useasboundingbox " + paper;
         if (!(page_.paper == Colour{255, 255, 255})) head += "\\fill[" + styles_.colour(page_.paper) + "] " + paper;
-        const std::span<const Mark> marks(page_.marks);
         for (std::size_t i = 0; i < marks.size(); ++i) {
             if (const auto* path = std::get_if<Path>(&marks[i])) {
                 write(*path);
@@ -279,7 +260,7 @@ public:
                 i += line.marks.size() - 1;
             }
         }
-        return head + points_.definitions() + text_ + "\\end{tikzpicture}%\n\\kgend\n";
+        return head + points_.definitions() + text_;
     }
 
 private:
@@ -465,7 +446,7 @@ private:
 };
 
 /// A document, or a part to be \input: in the body of a document, \@nodocument equals \relax.
-constexpr std::string_view document_head =
+constexpr std::string_view alone_head =
     R"(% pdflatex makes a document of this file, a picture on each page; in another document that has
 % \usepackage{tikz}, \input gives the pictures alone, in that document's fonts.
 \expandafter\ifx\csname @nodocument\endcsname\relax
@@ -477,7 +458,9 @@ constexpr std::string_view document_head =
 \else
   \documentclass{article}
   \usepackage{tikz}
-  % Of each face the one design whose strokes are nearest to those of our PNG, for indices too.
+)";
+constexpr std::string_view faces_head =
+    R"(  % Of each face the one design whose strokes are nearest to those of our PNG, for indices too.
   \DeclareFontShape{OT1}{cmr}{m}{n}{<->cmr8}{}
   \DeclareFontShape{OT1}{cmr}{m}{it}{<->cmti10}{}
   \DeclareFontShape{OT1}{cmr}{bx}{n}{<->cmb10}{}
@@ -486,7 +469,9 @@ constexpr std::string_view document_head =
   \DeclareFontShape{OML}{cmm}{b}{it}{<->cmmib10}{}
   \DeclareFontShape{OMS}{cmsy}{m}{n}{<->cmsy10}{}
   \DeclareFontShape{OMS}{cmsy}{b}{n}{<->cmbsy10}{}
-  \pdfhorigin=0pt \pdfvorigin=0pt \hoffset=0pt \voffset=0pt
+)";
+constexpr std::string_view alone_head_end =
+    R"(  \pdfhorigin=0pt \pdfvorigin=0pt \hoffset=0pt \voffset=0pt
   \def\kgbegin#1#2{\pdfpagewidth=#1mm \pdfpageheight=#2mm \setbox0=\hbox\bgroup\ignorespaces}
   \def\kgend{\egroup\shipout\box0 }
   \def\kgfinish{\end{document}}
@@ -506,7 +491,9 @@ constexpr std::string_view document_head =
     \fontdimen13\textfont2=.4\kgem \fontdimen14\textfont2=.4\kgem \fontdimen15\textfont2=.4\kgem}
   \begin{document}
 \fi
-% Lengths are mm, y downwards. \kgline{SIZE}{WIDTHS}{WORDS} sets each word as wide as the list says, what is )"
+)";
+constexpr std::string_view common_head =
+    R"(% Lengths are mm, y downwards. \kgline{SIZE}{WIDTHS}{WORDS} sets each word as wide as the list says, what is )"
     R"(short by more than a
 % quarter in the middle of its width; where the list ends, as wide as it is. A blank is a quarter of the size.
 \tikzset{kg/.style={x=1mm,y=-1mm,line cap=butt,line join=miter,miter limit=4},
@@ -533,6 +520,55 @@ constexpr std::string_view document_head =
 \def\kgscript{\dimen0=\csname f@size\endcsname pt\fontsize{.7\dimen0}{.7\dimen0}\selectfont}
 )";
 
+/// Slides: words in a picture have the widths of their lines, letters those of their font.
+constexpr std::string_view slides_head =
+    R"(% pdflatex or lualatex, run twice, makes slides of this file: a frame for each figure, an overlay for each step.
+% For slides of your own take the frames, and what stands before \begin{document} without the class.
+\documentclass[aspectratio=169]{beamer}
+\usepackage{tikz}
+\usefonttheme{serif}
+\setbeamertemplate{navigation symbols}{}
+\def\kgletters#1{}
+\let\kgscripts\relax
+)";
+constexpr std::string_view slides_head_end =
+    R"(% \kgsays{WIDTH}{SIZE}(X,Y){SENTENCES} sets what a step says, \kgslide{PICTURE} a picture as wide as the paper.
+\def\kgsays#1#2(#3,#4)#5{\node[kg text,anchor=north west,text width=#1mm,align=left] at (#3,#4)
+  {\fontsize{#2bp}{1.25\dimexpr#2bp\relax}\selectfont #5};}
+\newsavebox\kgpicture
+\def\kgslide#1{\sbox\kgpicture{#1}\begin{tikzpicture}[remember picture,overlay]
+  \node[inner sep=0pt] at (current page.center) {\resizebox{\paperwidth}{!}{\usebox\kgpicture}};
+  \end{tikzpicture}}
+)";
+
+/// The marks without those of sentences.
+std::vector<Mark> without_sentences(const std::vector<Mark>& marks) {
+    std::vector<Mark> kept;
+    std::size_t depth = 0;  // of open groups within a sentence
+    for (const Mark& mark : marks) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (group != nullptr && (depth > 0 || group->cls == "sentence")) ++depth;
+        if (depth == 0) kept.push_back(mark);
+        if (depth > 0 && std::holds_alternative<GroupEnd>(mark)) --depth;
+    }
+    return kept;
+}
+
+/// What a step says, set by TeX; empty if TeX has no letter for a character in it.
+std::string said_by_tex(const Page& page, Styles& styles) {
+    if (!page.step) return {};
+    const StepText& step = *page.step;
+    std::string paragraphs;
+    for (const RichText& each : step.sentences) {
+        const auto words = tex_words_of(each, [&](Colour c) { return styles.colour(c); });
+        if (!words) return {};
+        paragraphs += (paragraphs.empty() ? "" : "\\par\\smallskip ") + line_of(*words);
+    }
+    if (paragraphs.empty()) return {};
+    return "\\kgsays{" + number(step.width) + "}{" + number(step.size, 2) + "}(" + number(step.corner.x) + "," +
+           number(step.corner.y) + "){" + paragraphs + "}\n";
+}
+
 }  // namespace
 
 std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs) {
@@ -540,7 +576,31 @@ std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs) {
     LetterWidths widths;
     std::string pictures;
     for (const Page& page : pages) pictures += TikzPicture(page, glyphs, styles, widths).write();
-    return std::string(document_head) + widths.definitions() + styles.definitions() + pictures + "\\kgfinish\n";
+    return std::string(alone_head).append(faces_head).append(alone_head_end).append(common_head) +
+           widths.definitions() + styles.definitions() + pictures + "\\kgfinish\n";
+}
+
+std::string to_beamer(const std::vector<Page>& pages, const Glyphs& glyphs) {
+    Styles styles;
+    LetterWidths widths;
+    std::string frames;
+    const auto are_of_one_figure = [](const Page& a, const Page& b) {
+        return a.step && b.step && a.step->figure == b.step->figure;
+    };
+    for (std::size_t i = 0; i < pages.size();) {
+        const std::size_t first = i;
+        Overlays overlays;
+        do {
+            const std::string said = said_by_tex(pages[i], styles);
+            const std::vector<Mark> drawn = said.empty() ? pages[i].marks : without_sentences(pages[i].marks);
+            overlays.add(TikzPicture(pages[i], glyphs, styles, widths).lines(drawn) + said);
+        } while (++i < pages.size() && are_of_one_figure(pages[first], pages[i]));
+        const std::string heading = pages[first].step ? pages[first].step->heading : pages[first].title;
+        frames += "% " + comment(heading) + "\n\\begin{frame}[plain]\n\\kgslide{\\begin{tikzpicture}[kg]\n" +
+                  overlays.text() + "\\end{tikzpicture}}\n\\end{frame}\n";
+    }
+    return std::string(slides_head).append(faces_head).append(common_head).append(slides_head_end) +
+           widths.definitions() + styles.definitions() + "\\begin{document}\n" + frames + "\\end{document}\n";
 }
 
 }  // namespace kinegraph::render

@@ -24,6 +24,7 @@ struct SheetOptions {
     SolutionDetail detail = SolutionDetail::full;          ///< of a solution
     SuperposedLoads superposed = SuperposedLoads::joined;  ///< each: the full solution only
     SheetKind kind = SheetKind::solution;
+    bool with_sentences = true;        ///< of slides: a film has them as captions
     std::optional<KeptScales> kept{};  ///< of figures, as far as a page can hold them; none: those of this sheet alone
     bool grid = false;                 ///< a question has blank areas for its polygons, with pole and grid
     // Pages before and after these in the same document, and figures before.

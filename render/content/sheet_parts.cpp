@@ -24,6 +24,24 @@ SheetFormat format(const char* name, double width, double height, Spot block, do
     return f;
 }
 
+/// 8 in × 4.5 in: with 160 and 240 dots per inch a slide has 1280 × 720 and 1920 × 1080 pixels. The figures keep their
+/// own type, which is a third larger on this page than on a sheet; sentences are set larger still.
+SheetFormat slide() {
+    constexpr double width = 203.2, height = 114.3, margin = 6, foot = 3;
+    SheetFormat f;
+    f.name = "16:9";
+    f.width = width;
+    f.height = height;
+    f.is_slide = true;
+    f.inner = f.content = rectangle(margin, margin, width - margin, height - margin);
+    // An empty block: the room for the number of the page.
+    f.block = rectangle(f.content.max.x, f.content.max.y - foot + above_block, f.content.max.x, f.content.max.y);
+    f.columns = 3;
+    f.measure = f.span(1, f.columns);
+    f.text_size = 1.3;
+    return f;
+}
+
 }  // namespace
 
 SheetFormat format_of(Paper paper, Orientation orientation) {
@@ -39,6 +57,7 @@ SheetFormat format_of(Paper paper, Orientation orientation) {
         case Paper::letter:
             return upright ? format("letter", 215.9, 279.4, {185.9, 18}, 6, 2, false)
                            : format("letter", 279.4, 215.9, {112, 18}, 6, 3, false);
+        case Paper::slide: return slide();
     }
     KG_ASSERT(false, "a paper has a format");
 }

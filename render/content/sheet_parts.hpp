@@ -6,7 +6,8 @@
 
 namespace kinegraph::render {
 
-enum class Paper { a4, a3, letter };
+/// The slide is a page of 16:9 for a projector, without frame and title block.
+enum class Paper { a4, a3, letter, slide };
 enum class Orientation { landscape, portrait };
 /// Detail of a solution: all of it, or what a lecturer would write on the board.
 enum class SolutionDetail { full, brief };
@@ -25,8 +26,9 @@ struct SheetFormat {
     const char* name = "";
     double width = 0, height = 0;
     bool large = false;  ///< larger type in the title block
-    Box inner;           ///< the frame
-    Box content;         ///< the area within the frame; the title block covers a part of it
+    bool is_slide = false;
+    Box inner;    ///< the frame
+    Box content;  ///< the area within the frame; the title block covers a part of it
     Box block;
     int columns = 3;
     double measure = 80;   ///< width of a column

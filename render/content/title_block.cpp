@@ -130,6 +130,15 @@ std::string units_of(const Solution& solution) {
     return length + (shown.has_time ? ", s" : "") + (shown.has_forces ? force : "");
 }
 
+/// The number of a slide, in its corner.
+void draw_slide_number(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
+                       std::size_t index, std::size_t count) {
+    const ShapedLine number =
+        context.fonts.shape(one_piece(std::to_string(index) + " / " + std::to_string(count)), context.theme.small);
+    set_text(marks, number, {format.content.max.x - number.width, format.content.max.y}, context.theme.secondary,
+             "text");
+}
+
 }  // namespace
 
 ShapedLine shaped_with_its_end(const std::string& words, double size, const Fonts& fonts, double width) {
@@ -222,14 +231,17 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.title = title_of(context.solution, context.language);
     page.language = code_of(context.language);
     const Pen pen{theme.outline, theme.text, {}, false};
-    page.marks.emplace_back(polyline({format.inner.min,
-                                      {format.inner.max.x, format.inner.min.y},
-                                      format.inner.max,
-                                      {format.inner.min.x, format.inner.max.y}},
-                                     pen, true));
-    if (whole_block)
-        draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
+    if (format.is_slide)
+        draw_slide_number(page.marks, context, format, index, count);
     else
+        page.marks.emplace_back(polyline({format.inner.min,
+                                          {format.inner.max.x, format.inner.min.y},
+                                          format.inner.max,
+                                          {format.inner.min.x, format.inner.max.y}},
+                                         pen, true));
+    if (whole_block && !format.is_slide)
+        draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
+    else if (!format.is_slide)
         draw_strip(page.marks, context, format, signature, index, count);
     page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()), std::make_move_iterator(marks.end()));
     // The mark of a point's label carries the name in the file, not the typeset one.

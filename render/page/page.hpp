@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,6 +62,17 @@ struct GroupEnd {};
 
 using Mark = std::variant<Path, Axis, TextMark, GroupBegin, GroupEnd>;
 
+/// What a page of a sequence of steps says, for output that sets it by itself: LaTeX, the captions of a film. On a
+/// slide the marks of sentences stand in groups of class "sentence".
+struct StepText {
+    std::string figure;  ///< pages with the same one show the same figures, in the same places
+    std::string heading;
+    std::vector<RichText> sentences;
+    Spot corner;       ///< where the sentences begin, mm
+    double width = 0;  ///< of the sentences, mm
+    double size = 9;   ///< of their type, points
+};
+
 /// One sheet of paper.
 struct Page {
     double width = 297;
@@ -69,7 +81,8 @@ struct Page {
     std::string title;
     std::string language = "en";
     std::vector<Mark> marks;
-    bool tells_holds = false;  ///< its SVG contains bindings (`data-on`)
+    bool tells_holds = false;        ///< its SVG contains bindings (`data-on`)
+    std::optional<StepText> step{};  ///< none: it is no page of a sequence
 };
 
 }  // namespace kinegraph::render

@@ -269,7 +269,8 @@ public:
         : ProblemItems(solution, options, fonts),
           signature_{options.author, options.date},
           before_{options.pages_before},
-          after_{options.pages_after} {}
+          after_{options.pages_after},
+          with_sentences_(options.with_sentences) {}
 
     std::vector<Page> pages() {
         // Uses the greatest height of figures that needs no more pages than the least. The results get a column of
@@ -325,16 +326,16 @@ public:
 
     std::vector<Page> steps() {
         std::vector<std::vector<Mark>> sheets;
+        std::vector<StepText> said;
         for (std::size_t s = 0; s < sections_.size(); ++s)
-            for (std::size_t k = 0; k < sections_[s].sentences.size(); ++k) sheets.push_back(step(s, k));
-        sheets.emplace_back();
-        double y = format_.content.min.y;
-        for (const Item& item : results(sections_.size())) {
-            y += item.above;
-            set(sheets.back(), item.block, {format_.content.min.x, y});
-            y += item.block.height;
-        }
-        return framed(sheets);
+            for (std::size_t k = 0; k < sections_[s].sentences.size(); ++k) {
+                sheets.push_back(step(s, k));
+                said.push_back(text_of_step(s, k));
+            }
+        sheets.push_back(results_alone());
+        std::vector<Page> pages = framed(sheets);
+        for (std::size_t i = 0; i < said.size(); ++i) pages[i].step = std::move(said[i]);
+        return pages;
     }
 
 private:
@@ -395,7 +396,43 @@ private:
         return sheets;
     }
 
-    /// Figures on the left; on the right the sentences of the question up to number k, earlier ones in grey.
+    StepText text_of_step(std::size_t s, std::size_t k) const {
+        const ProblemSection& section = sections_[s];
+        const std::string sentence = say(section.sentences[k]);
+        const double size = format_.text_size * context_.theme.body_text;
+        StepText text{section.question, say(section.heading), {}, sentence_at_, format_.measure, size};
+        for (std::size_t from = 0; from <= sentence.size();) {
+            const std::size_t to = std::min(sentence.find('\n', from), sentence.size());
+            text.sentences.push_back(formula(sentence.substr(from, to - from)));
+            from = to + 1;
+        }
+        return text;
+    }
+
+    /// The table of results on a page by itself; on a slide as large as it can be.
+    std::vector<Mark> results_alone() const {
+        std::vector<Item> items = results(sections_.size());
+        double height = 0, width = 1;
+        for (const Item& item : items) {
+            height += item.above + item.block.height;
+            width = std::max(width, item.block.width);
+        }
+        const double bottom = format_.block.min.y - above_block;
+        const double larger =
+            format_.is_slide ? std::min(format_.content.width() / width, (bottom - format_.content.min.y) / height) : 1;
+        std::vector<Mark> marks;
+        double y = format_.content.min.y;
+        for (Item& item : items) {
+            y += larger * item.above;
+            const Block block = larger == 1 ? std::move(item.block) : scaled(std::move(item.block), larger);
+            set(marks, block, {format_.content.min.x, y});
+            y += block.height;
+        }
+        return marks;
+    }
+
+    /// Figures on the left; on the right the sentences of the question up to number k, earlier ones in grey. A slide
+    /// has the last sentence alone, with its formulas.
     std::vector<Mark> step(std::size_t s, std::size_t k) {
         std::vector<Mark> marks;
         const ProblemSection& section = sections_[s];
@@ -433,6 +470,15 @@ private:
             for (const PieceAfter& piece : section.pieces)
                 if (piece.after == after) put(fitted(piece_block(piece.item, measure())), is_new);
         };
+        if (format_.is_slide) {
+            if (k == 0) put_pieces(0, true);
+            put_pieces(k + 1, true);
+            sentence_at_ = {left, y};
+            marks.emplace_back(GroupBegin{"sentence", "", "", {}, none});
+            if (with_sentences_) put(sentence(section.sentences[k], measure()), true);
+            marks.emplace_back(GroupEnd{});
+            return marks;
+        }
         put_pieces(0, k == 0);
         for (std::size_t i = 0; i <= k; ++i) {
             put(sentence(section.sentences[i], measure()), i == k);
@@ -443,6 +489,8 @@ private:
 
     Signature signature_;
     std::size_t before_, after_;  // pages of the same document
+    bool with_sentences_;
+    Spot sentence_at_;  // where the sentence of the last slide stands
 };
 
 }  // namespace

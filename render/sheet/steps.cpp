@@ -13,7 +13,6 @@
 #include "lang/keys/sheet.hpp"
 #include "render/content/title_block.hpp"
 #include "render/content/wanted_figures.hpp"
-#include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/figure.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -23,8 +22,7 @@
 #include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/statement_figures.hpp"
-#include "render/tables/force_tables.hpp"
-#include "render/tables/tables.hpp"
+#include "render/sheet/step_prose.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -129,6 +127,28 @@ std::vector<Mark> segments_read(const DrawingContext& context, const std::vector
     return marks;
 }
 
+/// The rooms of a page: for the figure, for a small one beside or below it, and for what is said.
+struct StepRooms {
+    Box large, small, prose;
+
+    StepRooms(const SheetFormat& format, Orientation orientation) {
+        const Box& content = format.content;
+        const double bottom = format.block.min.y - above_block;
+        if (orientation == Orientation::portrait) {
+            const double middle = content.min.y + 0.6 * (bottom - content.min.y);
+            large = rectangle(content.min.x, content.min.y, content.max.x, middle);
+            small = rectangle(content.min.x, middle + gap, content.min.x + format.measure, bottom);
+            prose = rectangle(content.max.x - format.measure, middle + gap, content.max.x, bottom);
+        } else {
+            const double left = content.max.x - format.measure;
+            const double below = content.min.y + 0.42 * (bottom - content.min.y);
+            large = rectangle(content.min.x, content.min.y, left - gap, bottom);
+            small = rectangle(left, content.min.y, content.max.x, below);
+            prose = rectangle(left, below + gap, content.max.x, bottom);
+        }
+    }
+};
+
 class StepPages {
 public:
     StepPages(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
@@ -139,28 +159,12 @@ public:
           after_(options.pages_after),
           wanted_(context_, false, options.detail, options.superposed),
           shown_by_(solution, wanted_),
-          prose_theme_(options.theme),
-          prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
-          beside_context_(context_) {
-        // A single sentence on a page is read from a greater distance than a column of text.
-        prose_theme_.body_text *= 1.25;
-        prose_theme_.label *= 1.1;
+          with_sentences_(options.with_sentences),
+          beside_context_(context_),
+          rooms_(format_, options.orientation),
+          prose_(context_, format_, rooms_.prose) {
         // A small figure beside another one has space for names only.
         if (options.dimensions == Dimensions::automatic) beside_context_.dimensions = Dimensions::off;
-        const Box& content = format_.content;
-        const double bottom = format_.block.min.y - 4;
-        if (options.orientation == Orientation::portrait) {
-            const double middle = content.min.y + 0.6 * (bottom - content.min.y);
-            large_ = rectangle(content.min.x, content.min.y, content.max.x, middle);
-            small_ = rectangle(content.min.x, middle + gap, content.min.x + format_.measure, bottom);
-            prose_ = rectangle(content.max.x - format_.measure, middle + gap, content.max.x, bottom);
-        } else {
-            const double left = content.max.x - format_.measure;
-            const double below = content.min.y + 0.42 * (bottom - content.min.y);
-            large_ = rectangle(content.min.x, content.min.y, left - gap, bottom);
-            small_ = rectangle(left, content.min.y, content.max.x, below);
-            prose_ = rectangle(left, below + gap, content.max.x, bottom);
-        }
     }
 
     std::vector<Page> pages() {
@@ -178,7 +182,7 @@ private:
         FigureId figure;  ///< of wanted_, or the mechanism
         Topic section = Topic::unnamed;
         std::vector<StatementIndex> statements;
-        std::vector<Block> rows;
+        std::vector<StepRow> rows;
         double height = 0;
         bool only_pairs = false;  ///< it only names pairs
         bool draws = false;       ///< or marks what is drawn
@@ -202,7 +206,7 @@ private:
         for (const Wanted& wanted : wanted_.list) {
             if (wanted.id.kind != FigureKind::closed_polygon || is_of_resultant(wanted.id.of)) continue;
             Step joined{wanted.id, Topic::forces, {}, {}, 0, false, true};
-            joined.rows.push_back(paragraph(one_piece(word(lang::sheet::polygons_joined, context_.language))));
+            joined.rows.push_back(prose_.paragraph(one_piece(word(lang::sheet::polygons_joined, context_.language))));
             steps_.push_back(std::move(joined));
         }
         if (steps_.empty()) steps_.push_back({{FigureKind::mechanism}, Topic::unnamed, {}, {}, 0, false, true});
@@ -218,16 +222,7 @@ private:
     /// section, or the page after it if it begins the section.
     void add(StatementIndex index, FigureId figure) {
         const Statement& statement = this->statement(index);
-        std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
-        for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
-        double height = 0;
-        for (const Block& row : rows) height += row.height;
-        if (height > prose_.height() - head_height) {  // not enough space for both: the arithmetic is omitted
-            height -= rows.front().height;
-            rows.front() = paragraph(say({statement.message.sentence, statement.message.arguments}, context_.language));
-            height += rows.front().height;
-        }
-        for (Block& row : rows) belong(row.marks, 0, index);
+        auto [rows, height] = prose_.rows_of(index);
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence),
                   false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
@@ -237,7 +232,7 @@ private:
         const bool begins = statement.message.sentence == lang::sentences::superposition ||
                             statement.message.sentence == lang::sentences::superposition_next;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
-            steps_.back().height + height > prose_.height() - head_height) {
+            steps_.back().height + height > prose_.room()) {
             steps_.push_back(std::move(step));
             return;
         }
@@ -255,27 +250,6 @@ private:
         before.statements.push_back(index);
         before.rows.insert(before.rows.end(), std::make_move_iterator(step.rows.begin()),
                            std::make_move_iterator(step.rows.end()));
-    }
-
-    Block paragraph(const RichText& text, double indent = 0) const {
-        Block block = paragraph_block(prose_context_, format_.measure, text, indent);
-        block.height += 1;
-        return block;
-    }
-
-    std::vector<Block> equations_of(StatementIndex index) const {
-        const Statement& statement = this->statement(index);
-        std::vector<Block> found;
-        if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
-        const LoadCase loads(solution_, part_of(solution_, index));
-        for (const FreeBody* body : closed_by(loads, index))
-            found.push_back(force_equation_block(context_, loads, *body, true));
-        std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
-        for (Block& block : found) {
-            render::move(block.marks, 0, 2.5);
-            block.height += 5;
-        }
-        return found;
     }
 
     // --- figures
@@ -299,12 +273,12 @@ private:
         const auto [found, fresh] = large_figures_.try_emplace(id);
         Placed& placed = found->second;
         if (!fresh) return placed;
-        Box room = large_;
+        Box room = rooms_.large;
         room.min.y += 12;
         placed.figure = draw(id, context_, room.width(), room.height());
         const int number = static_cast<int>(large_figures_.size());
-        room.min.y = large_.min.y + std::max(12.0, set_caption(placed.caption, context_, placed.figure, number,
-                                                               large_.min, large_.width()));
+        room.min.y = rooms_.large.min.y + std::max(12.0, set_caption(placed.caption, context_, placed.figure, number,
+                                                                     rooms_.large.min, rooms_.large.width()));
         const Box box = placed.figure.box;
         placed.figure.move(room.min.x - box.min.x + 0.5 * (room.width() - box.width()),
                            room.min.y - box.min.y + 0.3 * std::max(0.0, room.height() - box.height()));
@@ -333,11 +307,11 @@ private:
         if (!fresh || !id) return found->second;
         Figure& figure = found->second;
         if (id->kind != FigureKind::circle_diagram)
-            figure = draw(*id, beside_context_, small_.width(), small_.height());
+            figure = draw(*id, beside_context_, rooms_.small.width(), rooms_.small.height());
         else if (solution_.mechanism.bodies.size() >= 3)
-            figure = circle_diagram(context_, small_.width(), small_.height());
-        figure.move(small_.min.x - figure.box.min.x + 0.5 * (small_.width() - figure.box.width()),
-                    small_.min.y - figure.box.min.y);
+            figure = circle_diagram(context_, rooms_.small.width(), rooms_.small.height());
+        figure.move(rooms_.small.min.x - figure.box.min.x + 0.5 * (rooms_.small.width() - figure.box.width()),
+                    rooms_.small.min.y - figure.box.min.y);
         return figure;
     }
 
@@ -374,18 +348,15 @@ private:
                 scale_of_mechanism = figure->scale;
         }
         marks.insert(marks.end(), segments.begin(), segments.end());
-        if (!step.rows.empty()) {
-            double y = prose_.min.y;
-            const Block head = heading_block(prose_context_, format_.measure, heading_of(step), {});
-            set(marks, head, {prose_.min.x, y});
-            y += head.height + 0.8;
-            for (const Block& row : step.rows) {
-                set(marks, row, {prose_.min.x, y});
-                y += row.height;
-            }
-        }
-        return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
-                           steps_.size() + after_);
+        Page said;
+        if (!step.rows.empty())
+            prose_.set(said, heading_of(step), step.rows, placed.figure.id + " " + beside.id, with_sentences_);
+        marks.insert(marks.end(), std::make_move_iterator(said.marks.begin()),
+                     std::make_move_iterator(said.marks.end()));
+        Page page = framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
+                                steps_.size() + after_);
+        page.step = std::move(said.step);
+        return page;
     }
     /// The same, with the names used in figures for the loads of one body alone.
     std::set<std::string> groups_shown(const Step& step) const {
@@ -402,8 +373,6 @@ private:
         return word(steps_heading(step.section), context_.language);
     }
 
-    static constexpr double head_height = 9;
-
     DrawingContext context_;
     const Solution& solution_;
     SheetFormat format_;
@@ -411,9 +380,10 @@ private:
     std::size_t after_;  // pages bound behind these
     WantedFigures wanted_;
     StatementFigures shown_by_;
-    Theme prose_theme_;
-    DrawingContext prose_context_, beside_context_;
-    Box large_, small_, prose_;
+    bool with_sentences_;
+    DrawingContext beside_context_;
+    StepRooms rooms_;
+    StepProse prose_;
     std::vector<Step> steps_;
     std::vector<std::size_t> page_of_;  // by statement
     std::map<FigureId, Placed> large_figures_;
