@@ -188,12 +188,13 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
     command
         .add_option(
             "-o,--output", request.outputs,
-            "OUT.svg, .png, .pdf, .tex, .dxf, .json, .html (the live page), or .mp4, .webm, .gif (a film of the "
-            "steps); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+            "OUT.svg, .png, .pdf, .tex, .dxf, .json, .html (the live page), .ggb (for GeoGebra), or .mp4, .webm, .gif "
+            "(a film of the steps); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
             "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    add_format(command, request.format, {"svg", "png", "pdf", "tex", "dxf", "json", "html", "mp4", "webm", "gif"});
+    add_format(command, request.format,
+               {"svg", "png", "pdf", "tex", "dxf", "json", "html", "mp4", "webm", "gif", "ggb"});
 }
 
 void add_paper(CLI::App& command, SolveWords& words) {
@@ -583,6 +584,26 @@ void add_check(CLI::App& program, Action& action) {
     });
 }
 
+void add_import(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "import", "A mechanism file from a link or a saved file of PMKS+");
+    auto request = std::make_shared<ImportRequest>();
+    auto language = std::make_shared<std::string>("en");
+    command
+        ->add_option("LINK", request->source,
+                     "The link, in quotes (its ? is not for the shell), or the saved file; - is standard input")
+        ->required();
+    command
+        ->add_option("-o,--output", request->outputs,
+                     "OUT.json, the mechanism file; without it the file goes to standard output")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    add_language(*command, *language, "Language of messages");
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return import_command(*request); };
+    });
+}
+
 void add_diff(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "diff", "Compare two pictures, PNG or SVG, as the eye does");
     auto request = std::make_shared<DiffRequest>();
@@ -776,6 +797,7 @@ Status run(int count, char** arguments, Language language) {
     add_variants(program, action);
     add_cam(program, action);
     add_check(program, action);
+    add_import(program, action);
     add_diff(program, action);
     add_pairs(program, action);
     add_equations(program, action);

@@ -74,6 +74,7 @@ check() {
         floor render text ink
         floor render page ink text
         floor render backends ink text page
+        floor render geogebra ink text page backends
         floor render scene ink text page
         floor render tables ink text page scene
         floor render equations ink text page scene tables

@@ -92,6 +92,14 @@ struct CheckRequest {
 };
 Status check_command(const CheckRequest& request);
 
+/// import LINK|FILE: a mechanism file from another program's drawing, with remarks on what changed.
+struct ImportRequest {
+    std::string source;  ///< an address with a question mark, or a file; "-" is standard input
+    std::vector<std::string> outputs;
+    Language language = Language::en;
+};
+Status import_command(const ImportRequest& request);
+
 /// diff EXPECTED ACTUAL: whether two pictures (PNG or SVG) look the same.
 struct DiffRequest {
     std::string expected, actual;  ///< "-" is standard input, allowed for one of them

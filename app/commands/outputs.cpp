@@ -16,8 +16,8 @@ using namespace std::string_literals;
 namespace {
 
 /// In the order of Format.
-constexpr std::array<std::string_view, 11> format_names{"svg", "png",  "pdf", "tex",  "dxf", "json",
-                                                        "csv", "html", "mp4", "webm", "gif"};
+constexpr std::array<std::string_view, 12> format_names{"svg", "png",  "pdf", "tex",  "dxf", "json",
+                                                        "csv", "html", "mp4", "webm", "gif", "ggb"};
 
 std::optional<Format> format_named(std::string name, std::span<const Format> formats) {
     std::transform(name.begin(), name.end(), name.begin(),

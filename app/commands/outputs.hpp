@@ -13,7 +13,7 @@
 
 namespace kinegraph::app {
 
-enum class Format { svg, png, pdf, tex, dxf, json, csv, html, mp4, webm, gif };
+enum class Format { svg, png, pdf, tex, dxf, json, csv, html, mp4, webm, gif, ggb };
 /// The formats of every drawing, and others.
 template <class... Others>
 constexpr auto drawings_and(Others... others) {
@@ -24,7 +24,7 @@ struct Target {
     std::string path;
     Format format = Format::svg;
     bool standard() const { return path == "-"; }
-    bool is_drawn() const { return format != Format::json && format != Format::csv; }
+    bool is_drawn() const { return format != Format::json && format != Format::csv && format != Format::ggb; }
     bool is_film() const { return format == Format::mp4 || format == Format::webm || format == Format::gif; }
     bool is_page() const { return format == Format::html; }  ///< a live page, which has its own layout
     std::string path_of_page(std::size_t page) const;        ///< OUT.svg, OUT-2.svg, OUT-3.svg …

@@ -177,7 +177,8 @@ public:
                                 : target.is_film() ? film(target, in_the_end)
                                 : target.is_drawn()
                                     ? print(*drawing, target, printing, outcome_.outputs, outcome_.remarks)
-                                    : results(target);
+                                : target.format == Format::ggb ? construction(target)
+                                                               : results(target);
             if (failed) return failed;
         }
         for (Text& each : in_the_end) outcome_.remarks.push_back(std::move(each));
@@ -213,6 +214,13 @@ private:
                                   : request_.captions == "none" ? Captions::none
                                                                 : Captions::file;
         return add_film(*drawn, target, {request_.language(), captions, request_.film_height}, outcome_.outputs);
+    }
+    std::optional<Status> construction(const Target& target) {
+        auto file = geogebra_file(solved_.front(), options_);
+        if (!file) return cannot_draw(spoken(request_.file), file.error(), request_.language());
+        outcome_.outputs.push_back({target.path, std::move(file->bytes)});
+        std::move(file->remarks.begin(), file->remarks.end(), std::back_inserter(outcome_.remarks));
+        return std::nullopt;
     }
     std::optional<Status> results(const Target& target) {
         for (std::size_t i = 0; i < (target.standard() ? 1 : solved_.size()); ++i)
@@ -275,7 +283,8 @@ tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std:
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language();
-    constexpr auto formats = drawings_and(Format::json, Format::html, Format::mp4, Format::webm, Format::gif);
+    constexpr auto formats =
+        drawings_and(Format::json, Format::html, Format::mp4, Format::webm, Format::gif, Format::ggb);
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     SolveRequest full = request;

@@ -99,6 +99,15 @@ private:
     Shared<const State> state_;
 };
 
+/// A mechanism file made from the data of another program.
+struct Imported {
+    std::string file;           ///< the text of the file; MechanismFile::parse() reads it
+    std::vector<Text> remarks;  ///< what was rounded, changed or left out
+};
+/// Makes a mechanism file from a link of PMKS+, from what stands behind its question mark, or from the text of a saved
+/// file. Fails where the link is cut off or changed, and where its mechanism makes no file.
+Expected<Imported> import_pmks(std::string_view link);
+
 /// The catalogue of supported pairs.
 std::string pair_catalogue(TextForm form = TextForm::plain, Language language = Language::en);
 

@@ -132,6 +132,16 @@ struct LivePage {
 Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options = {}, int version = 0);
 /// The page to serve until the file called `name` has been solved for the first time. Fails as draw() does.
 Expected<std::string> waiting_page(const std::string& name, const DrawingOptions& options = {});
+/// A construction for GeoGebra.
+struct GeoGebraFile {
+    std::string bytes;          ///< a .ggb file
+    std::vector<Text> remarks;  ///< what it leaves out
+};
+/// Makes a construction for GeoGebra: the points placed as in the file, then the record of velocities, accelerations
+/// and instant centres as commands that follow when a point is dragged. SI units; forces are left out. Uses the
+/// language and the theme of the options. Fails for a file without joints, in another position than the drawn one,
+/// where a stroke has no command, and with Kind::output if the library for archives is missing.
+Expected<GeoGebraFile> geogebra_file(const Solved& solved, const DrawingOptions& options = {});
 /// The built-in themes.
 std::vector<std::string> theme_names();
 /// Reads the text of a theme file. Fails with all its faults, each with its place.
