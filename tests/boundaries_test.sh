@@ -94,11 +94,12 @@ check() {
         floor app files
         floor app server files
         floor app late
-        floor app commands files server late
+        floor app workbench files
+        floor app commands files server late workbench
         floor app modules late
         unordered
         includes '["<](engine|constructions|render|problems)/' app |
-            grep -E '^app/(main\.cpp|(commands|files|server)/[^:]*):' |
+            grep -E '^app/(main\.cpp|(commands|files|server|workbench)/[^:]*):' |
             breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '["<](lang|engine|constructions|render|problems|app|tests|bench)/' python |
@@ -189,6 +190,8 @@ seen "figures knows" render/figures/a.cpp '"render/sheet/b.hpp"'
 seen "content knows" render/content/a.cpp '"render/layout/b.hpp"'
 seen "nothing below it" app/main.cpp '"render/page/page.hpp"'
 seen "nothing below it" app/commands/a.cpp '"engine/board/b.hpp"'
+seen "nothing below it" app/workbench/a.cpp '"engine/board/b.hpp"'
+seen "workbench knows" app/workbench/a.cpp '"app/server/b.hpp"'
 seen "for Python uses the public face" python/module/a.cpp '"engine/board/b.hpp"'
 seen "module's own" app/main.cpp '"python/module/bindings.hpp"'
 seen "pybind11 is" app/library/a.cpp '<pybind11/pybind11.h>'

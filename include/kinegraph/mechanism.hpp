@@ -2,6 +2,7 @@
 /// Mechanism files: reading, checking and solving them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -33,6 +34,24 @@ struct PositionsWanted {
     std::string driver;       ///< name of its body, joint or point; empty: the first driver of the file
     int branch = 0;           ///< branch to take if the drawn position is a change point, from 1; 0: the first
     std::string dashes = {};  ///< stands before the names of these options in messages: "--" in a command line's
+};
+
+/// Where the points and directions of a file are, for programs that draw it themselves.
+struct DrawnPosition {
+    /// A point of the file.
+    struct Point {
+        std::string name;            ///< as in the file
+        std::array<double, 2> at{};  ///< in the file's unit of length
+    };
+    /// The direction of a joint (its guide, or the common tangent of a contact), of a load or of a driver.
+    struct Direction {
+        std::string place;  ///< JSON pointer of the joint, load or driver: "/joints/3"
+        double angle = 0;   ///< rad, from +x, counter-clockwise
+    };
+    std::string length_unit;            ///< the file's unit of length: "mm"
+    double metres = 1;                  ///< its size, m
+    std::vector<Point> points;          ///< in the file's order
+    std::vector<Direction> directions;  ///< of joints, then of loads, then of drivers; where there is one
 };
 
 /// Format of a text.
@@ -73,6 +92,8 @@ public:
     /// Places the points and looks for likely mistakes: points that two bodies share without a joint, unsupported
     /// bodies, conditions of an exercise that are not fulfilled. Fails if curves do not meet.
     Expected<std::vector<Text>> check() const;
+    /// Places the points without solving anything. Fails if curves do not meet.
+    Expected<DrawnPosition> drawn_position() const;
 
     /// Solves it in the drawn position by the textbook's constructions: instant centres by Aronhold–Kennedy, velocity
     /// and acceleration polygons, forces by lines of action and force polygons. Results are exact for the drawn
