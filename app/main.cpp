@@ -717,6 +717,23 @@ void add_watch(CLI::App& program, Action& action) {
     });
 }
 
+void add_edit(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "edit", "The workbench in your browser: a mechanism drawn, solved and saved");
+    auto request = std::make_shared<EditRequest>();
+    auto language = std::make_shared<std::string>("en");
+    command->add_option("FILE", request->file, "The mechanism file; one that does not exist is begun")->required();
+    command
+        ->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
+        ->check(whole_number(0, 65535))
+        ->type_name("N");
+    add_language(*command, *language, "The language that is shown first, and that of messages");
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return edit_command(*request); };
+    });
+}
+
 OptionForm form_of(const CLI::Option& option) {
     OptionForm form;
     form.is_argument = option.get_positional();
@@ -804,6 +821,7 @@ Status run(int count, char** arguments, Language language) {
     add_schema(program, action);
     add_batch(program, action);
     add_watch(program, action);
+    add_edit(program, action);
     add_completion(program, action);
     add_manual(program, action);
 

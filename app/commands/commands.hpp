@@ -141,6 +141,14 @@ struct WatchRequest {
 /// Returns when interrupted (Ctrl-C).
 Status watch_command(const WatchRequest& request);
 
+/// edit FILE: serves the workbench, in which the file is drawn, solved and saved.
+struct EditRequest {
+    std::string file;
+    Language language = Language::en;
+    int port = 0;  ///< 0: any that is free
+};
+Status edit_command(const EditRequest& request);
+
 /// Reads a mechanism file; returns a status after errors were reported.
 tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Language language,
                                                  const std::vector<ParameterValue>& set = {});

@@ -1,22 +1,17 @@
 // watch FILE: serves the live page of a file while it is edited. There are two paths, the page and its changes; any
 // other is not found, so that no file of the machine can be read.
-#include <sys/random.h>
-#include <sys/signalfd.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <array>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/files/files.hpp"
 #include "app/server/local_server.hpp"
+#include "app/server/session.hpp"
 #include "app/server/watched_file.hpp"
 #include "lang/keys/command_line.hpp"
 #include "lang/keys/common.hpp"
@@ -25,45 +20,6 @@ namespace kinegraph::app {
 namespace {
 
 constexpr int between_looks = 100;  // ms
-
-/// SIGINT and similar signals as a file descriptor that becomes readable. Threads that start later block these signals.
-class Interruption {
-public:
-    Interruption() {
-        sigset_t signals;
-        ::sigemptyset(&signals);
-        for (const int each : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, each);
-        ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-        descriptor_ = ::signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
-        if (descriptor_ < 0) throw std::runtime_error("signals cannot be waited for");
-    }
-    Interruption(const Interruption&) = delete;
-    Interruption& operator=(const Interruption&) = delete;
-    ~Interruption() { ::close(descriptor_); }
-
-    int descriptor() const { return descriptor_; }
-    bool has_come() const {
-        signalfd_siginfo signal{};
-        return ::read(descriptor_, &signal, sizeof signal) > 0;
-    }
-
-private:
-    int descriptor_ = -1;
-};
-
-/// A secret path for the page: other users of this machine can reach its ports too.
-std::string secret_name() {
-    std::array<unsigned char, 16> random{};
-    if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
-        throw std::runtime_error("the system gives no random numbers");
-    constexpr const char* digits = "0123456789abcdef";
-    std::string name;
-    for (const unsigned char byte : random) {
-        name += digits[byte >> 4U];
-        name += digits[byte & 15U];
-    }
-    return name;
-}
 
 /// {"page": 2, "faults": [{"line": 3, "column": 5, "where": "/joints/2", "en": "…", "it": "…"}]}
 std::string as_json(const Watched& watched) {
@@ -141,7 +97,7 @@ void tell(const WatchRequest& request, const Watched& watched) {
 /// Serves until interrupted.
 void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruption& interruption,
            const WatchRequest& request) {
-    const Answering answer = [&site](const HttpHead& head) { return site.answer(head); };
+    const Answering answer = [&site](const HttpHead& head, const std::string&) { return site.answer(head); };
     while (!interruption.has_come()) {
         if (const auto news = file.look()) {
             site.show(*news);

@@ -1,7 +1,8 @@
-// RFC 9112, as far as a GET request needs it.
+// RFC 9112, as far as GET needs it, and POST with a body of known length.
 #include "app/server/http_head.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace kinegraph::app {
 namespace {
@@ -47,6 +48,16 @@ std::optional<int> read_first_line(std::string_view line, HttpHead& head) {
     return std::nullopt;
 }
 
+/// A number of at most 18 digits; none for anything else.
+std::optional<std::uint64_t> read_length(std::string_view digits) {
+    constexpr std::size_t most_digits = 18;
+    std::uint64_t length = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), length);
+    if (digits.empty() || digits.size() > most_digits || fault != std::errc() || end != digits.data() + digits.size())
+        return std::nullopt;
+    return length;
+}
+
 }  // namespace
 
 std::optional<std::size_t> end_of_head(std::string_view received) {
@@ -80,6 +91,12 @@ tl::expected<HttpHead, int> read_http_head(std::string_view head) {
         } else if (name == "origin") {
             read.origin = in_small_letters(value);
             ++origins;
+        } else if (name == "content-length") {
+            const auto length = read_length(value);
+            if (!length || read.length) return tl::unexpected(bad_request);
+            read.length = length;
+        } else if (name == "transfer-encoding") {
+            read.in_pieces = true;
         }
     }
     if (hosts != 1 || origins > 1) return tl::unexpected(bad_request);

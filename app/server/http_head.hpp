@@ -2,6 +2,7 @@
 // status. Knows no sockets.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ constexpr std::size_t longest_head = 8192;
 struct HttpHead {
     std::string method, target, host;
     std::optional<std::string> origin;
+    std::optional<std::uint64_t> length;  ///< bytes of the body; none: not stated
+    bool in_pieces = false;               ///< has a Transfer-Encoding, which is not supported
 };
 
 /// The length of the head in `received`, with its empty line; empty if the head is incomplete.

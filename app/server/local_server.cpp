@@ -1,13 +1,16 @@
-// Sockets and poll. A connection reads a head, writes an answer, and drains further input; each of the three states has
-// a time limit. If there are too many connections, the oldest is closed.
+// Sockets and poll. A connection reads a head, perhaps a body, waits for its answer, writes it, and drains further
+// input; each of these states has a time limit, except waiting for an answer. If there are too many connections, the
+// oldest is closed.
 #include "app/server/local_server.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -22,8 +25,10 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr std::size_t most_connections = 256;
-constexpr std::chrono::milliseconds time_to_read = 2s, time_to_write = 10s, time_to_drain = 500ms;
-constexpr int request_too_slow = 408, head_too_large = 431, forbidden = 403;
+constexpr std::chrono::milliseconds time_to_read = 2s, time_to_read_body = 10s, time_to_write = 10s,
+                                    time_to_drain = 500ms, time_to_answer = 24h;
+constexpr int request_too_slow = 408, length_required = 411, body_too_large = 413, head_too_large = 431,
+              forbidden = 403;
 
 const char* phrase_of(int status) {
     switch (status) {
@@ -33,7 +38,11 @@ const char* phrase_of(int status) {
         case 404: return "Not Found";
         case 405: return "Method Not Allowed";
         case request_too_slow: return "Request Timeout";
+        case 409: return "Conflict";
+        case length_required: return "Length Required";
+        case body_too_large: return "Content Too Large";
         case head_too_large: return "Request Header Fields Too Large";
+        case 500: return "Internal Server Error";
         case 505: return "HTTP Version Not Supported";
         default: return "Error";
     }
@@ -64,36 +73,54 @@ bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == 
 }  // namespace
 
 struct LocalServer::Connection {
-    enum class State { reading, writing, draining };
+    enum class State { reading, reading_body, waiting, writing, draining };
 
     int socket = -1;
     Clock::time_point until;
     State state = State::reading;
-    std::string received, head = {};
+    std::string received;  ///< the head while it is read, then the body
+    HttpHead request = {};
+    HttpAnswer pending = {};  ///< while its body is made
+    std::string head = {};
     std::shared_ptr<const std::string> body = {};
     std::size_t sent = 0;
 
-    void answer(std::string answer_head, std::shared_ptr<const std::string> answer_body) {
-        head = std::move(answer_head);
-        body = std::move(answer_body);
-        state = State::writing;
-        until = Clock::now() + time_to_write;
+    bool is_read() const { return state == State::reading || state == State::reading_body; }
+    void go_to(State next, std::chrono::milliseconds time) {
+        state = next;
+        until = Clock::now() + time;
+    }
+    void answer(HttpAnswer answer, bool with_body = true) {
+        if (answer.later) {
+            pending = std::move(answer);
+            return go_to(State::waiting, time_to_answer);
+        }
+        if (!answer.body) answer.body = plain(answer.status).body;
+        head = head_of(answer);
+        if (with_body) body = std::move(answer.body);
+        go_to(State::writing, time_to_write);
     }
 };
 
 LocalServer::LocalServer() = default;
 LocalServer::LocalServer(LocalServer&& other) noexcept
-    : listening_(std::exchange(other.listening_, -1)),
+    : accepts_(std::move(other.accepts_)),
+      listening_(std::exchange(other.listening_, -1)),
+      waking_(std::exchange(other.waking_, -1)),
       port_(other.port_),
       connections_(std::move(other.connections_)) {}
 LocalServer::~LocalServer() {
     for (const Connection& connection : connections_) ::close(connection.socket);
     if (listening_ >= 0) ::close(listening_);
+    if (waking_ >= 0) ::close(waking_);
 }
 
-tl::expected<LocalServer, std::string> LocalServer::open(int port) {
+tl::expected<LocalServer, std::string> LocalServer::open(int port, Accepting accepts) {
     LocalServer server;
+    server.accepts_ = std::move(accepts);
     const auto refused = [] { return tl::unexpected(std::string(std::strerror(errno))); };
+    server.waking_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    if (server.waking_ < 0) return refused();
     server.listening_ = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (server.listening_ < 0) return refused();
     const int yes = 1;
@@ -135,14 +162,26 @@ void LocalServer::close(std::list<Connection>::iterator connection) {
     connections_.erase(connection);
 }
 
-std::string LocalServer::reply_to(std::string_view head, const Answering& answer,
-                                  std::shared_ptr<const std::string>& body) const {
-    const auto read = read_http_head(head);
-    HttpAnswer reply = !read ? plain(read.error()) : !is_from_here(*read, port_) ? plain(forbidden) : answer(*read);
-    if (!reply.body) reply.body = plain(reply.status).body;
-    std::string text = head_of(reply);
-    if (!read || read->method != "HEAD") body = std::move(reply.body);
-    return text;
+/// Answers by the head, unless a body is to be read first.
+bool LocalServer::read_head(Connection& connection, std::size_t size, const Answering& answer) const {
+    auto read = read_http_head(std::string_view(connection.received).substr(0, size));
+    const auto refuse = [&](int status) {
+        connection.answer(plain(status));
+        return write_to(connection);
+    };
+    if (!read) return refuse(read.error());
+    if (!is_from_here(*read, port_)) return refuse(forbidden);
+    connection.request = *std::move(read);
+    const std::size_t most = accepts_ ? accepts_(connection.request) : 0;
+    if (most == 0) {
+        connection.answer(answer(connection.request, {}), connection.request.method != "HEAD");
+        return connection.state == Connection::State::waiting || write_to(connection);
+    }
+    if (!connection.request.length || connection.request.in_pieces) return refuse(length_required);
+    if (*connection.request.length > most) return refuse(body_too_large);
+    connection.received.erase(0, size);
+    connection.go_to(Connection::State::reading_body, time_to_read_body);
+    return read_body(connection, answer);
 }
 
 /// False if the connection has ended.
@@ -154,15 +193,46 @@ bool LocalServer::read_from(Connection& connection, const Answering& answer) con
         if (got < 0) return would_block();
         connection.received.append(piece.data(), static_cast<std::size_t>(got));
         const auto end = end_of_head(connection.received);
-        if (!end || *end > longest_head) continue;
-        std::shared_ptr<const std::string> body;
-        std::string head = reply_to(std::string_view(connection.received).substr(0, *end), answer, body);
-        connection.answer(std::move(head), std::move(body));
+        if (end && *end <= longest_head) return read_head(connection, *end, answer);
+    }
+    connection.answer(plain(head_too_large));
+    return write_to(connection);
+}
+
+bool LocalServer::read_body(Connection& connection, const Answering& answer) {
+    std::array<char, 65536> piece{};
+    const auto size = static_cast<std::size_t>(*connection.request.length);
+    while (connection.received.size() < size) {
+        const std::size_t wanted = std::min(piece.size(), size - connection.received.size());
+        const ssize_t got = ::recv(connection.socket, piece.data(), wanted, 0);
+        if (got == 0) return false;
+        if (got < 0) return would_block();
+        connection.received.append(piece.data(), static_cast<std::size_t>(got));
+    }
+    connection.received.resize(size);
+    connection.answer(answer(connection.request, std::exchange(connection.received, {})));
+    return connection.state == Connection::State::waiting || write_to(connection);
+}
+
+/// False if nobody waits for the answer any more.
+bool LocalServer::wait_for_answer(Connection& connection) {
+    auto body = connection.pending.later->get();
+    if (body) {
+        HttpAnswer made = std::move(connection.pending);
+        made.later.reset();
+        made.body = std::move(body);
+        connection.answer(std::move(made));
         return write_to(connection);
     }
-    const HttpAnswer too_large = plain(head_too_large);
-    connection.answer(head_of(too_large), too_large.body);
-    return write_to(connection);
+    char more = 0;
+    const ssize_t got = ::recv(connection.socket, &more, 1, 0);
+    return got > 0 || (got < 0 && would_block());
+}
+
+void LocalServer::wake() const {
+    constexpr std::uint64_t once = 1;
+    // Fails only where it is readable already.
+    [[maybe_unused]] const ssize_t wrote = ::write(waking_, &once, sizeof once);
 }
 
 bool LocalServer::write_to(Connection& connection) {
@@ -196,6 +266,8 @@ bool LocalServer::drain(Connection& connection) {
 bool LocalServer::advance(Connection& connection, const Answering& answer) const {
     switch (connection.state) {
         case Connection::State::reading: return read_from(connection, answer);
+        case Connection::State::reading_body: return read_body(connection, answer);
+        case Connection::State::waiting: return wait_for_answer(connection);
         case Connection::State::writing: return write_to(connection);
         case Connection::State::draining: return drain(connection);
     }
@@ -205,7 +277,8 @@ bool LocalServer::advance(Connection& connection, const Answering& answer) const
 void LocalServer::serve(int milliseconds, int signals, const Answering& answer) {
     const auto end = Clock::now() + std::chrono::milliseconds(milliseconds);
     for (auto now = Clock::now(); now < end; now = Clock::now()) {
-        std::vector<pollfd> watched{{signals, POLLIN, 0}, {listening_, POLLIN, 0}};
+        std::vector<pollfd> watched{{signals, POLLIN, 0}, {listening_, POLLIN, 0}, {waking_, POLLIN, 0}};
+        const std::size_t own = watched.size();
         for (const Connection& each : connections_) {
             const bool writes = each.state == Connection::State::writing;
             watched.push_back({each.socket, static_cast<short>(writes ? POLLOUT : POLLIN), 0});
@@ -214,15 +287,17 @@ void LocalServer::serve(int milliseconds, int signals, const Answering& answer) 
         if (::poll(watched.data(), watched.size(), static_cast<int>(left)) < 0 && errno != EINTR) return;
         if (watched[0].revents != 0) return;
         now = Clock::now();
-        std::size_t i = 2;
+        std::uint64_t wakings = 0;
+        const bool is_woken = ::read(waking_, &wakings, sizeof wakings) > 0;
+        std::size_t i = own;
         for (auto connection = connections_.begin(); connection != connections_.end(); ++i) {
             const auto next = std::next(connection);
-            bool goes_on = watched[i].revents == 0 || advance(*connection, answer);
+            const bool turn = watched[i].revents != 0 || (is_woken && connection->state == Connection::State::waiting);
+            bool goes_on = !turn || advance(*connection, answer);
             if (goes_on && connection->until <= now) {
                 // A client whose request is too slow gets an answer; a client that reads too slowly does not.
-                const bool asks = connection->state == Connection::State::reading;
-                const HttpAnswer too_slow = plain(request_too_slow);
-                if (asks) connection->answer(head_of(too_slow), too_slow.body);
+                const bool asks = connection->is_read();
+                if (asks) connection->answer(plain(request_too_slow));
                 goes_on = asks && write_to(*connection);
             }
             if (!goes_on) close(connection);

@@ -11,6 +11,7 @@
 
 #include "app/files/place_in_file.hpp"
 #include "app/workbench/sound_part.hpp"
+#include "lang/keys/workbench.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -55,6 +56,9 @@ public:
         answer_["title"] = "";
         add_faults(options_.faults, "");
         if (!options_.faults.empty()) return answer_;
+        if (wants("words")) add_words();
+        if (wants("policy")) add_policy();
+        if (text_.empty()) return answer_;
         const auto file = MechanismFile::parse(text_, name_, options_.set);
         if (!file) {
             add_faults(file.error(), text_);
@@ -128,6 +132,27 @@ private:
         answer_["mobility"] = nullptr;
         const auto pairs = file.pairs(TextForm::json, options_.drawing.language);
         if (pairs) answer_["mobility"] = Json::parse(*pairs)["mobility"];
+    }
+
+    void add_words() {
+        const Language language = options_.drawing.language;
+        Json words = Json::object();
+        const lang::Section& section = lang::workbench_section;
+        for (std::size_t i = 0; i < section.size(); ++i) words[section.name(i)] = section.text(i, language);
+        answer_["words"] = std::move(words);
+    }
+    /// The hashes of the live page's script and style, read from the policy that a live page has.
+    void add_policy() {
+        const auto smallest =
+            MechanismFile::parse(R"({"kinegraph": 1, "points": {}, "bodies": {}, "joints": []})", "page");
+        const auto solved = smallest->solve();
+        const auto page = solved ? live_page(*solved, options_.drawing) : tl::unexpected(solved.error());
+        if (!page) return add_faults(page.error(), "");
+        const auto source = [&](const std::string& directive) {
+            const std::size_t at = page->html.find(directive + " ") + directive.size() + 1;
+            return page->html.substr(at, page->html.find(';', at) - at);
+        };
+        answer_["policy"] = {{"script", source("script-src")}, {"style", source("style-src")}};
     }
 
     void add_solution(const MechanismFile& file) {

@@ -20,10 +20,14 @@ export type Want =
     /** `tex`: the sheet as LaTeX. */
     | 'tex'
     /** `live`: the live page, one HTML document with its own Content-Security-Policy. */
-    | 'live';
+    | 'live'
+    /** `words`: the texts of the page in the language of the options, by key. */
+    | 'words'
+    /** `policy`: what a page that shows live pages in a frame must allow in its Content-Security-Policy. */
+    | 'policy';
 
 export interface Request {
-    /** The text of the mechanism file; any text may be sent. */
+    /** The text of the mechanism file; any text may be sent. '' where only words or the policy are wanted. */
     text: string;
     /** Its name without folders, for messages and title blocks. */
     name: string;
@@ -91,6 +95,9 @@ export interface Answer {
     answers?: string[];
     tex?: string;
     live?: string;
+    words?: Record<string, string>;
+    /** Sources by hash, "'sha256-…'", for script-src and style-src. */
+    policy?: {script: string; style: string};
     /** A fault of ours: the request could not be answered. */
     failure?: string;
 }

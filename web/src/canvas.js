@@ -1,0 +1,271 @@
+// Draws the mechanism while it is built: what the file says, where the engine places it.
+import {svg} from './dom.js';
+import {Model} from './model.js';
+import {distance} from './placing.js';
+import * as symbols from './symbols.js';
+
+/**
+ * @typedef {import('./edit.js').Spot} Spot
+ * @typedef {import('./edit.js').Spots} Spots
+ * @typedef {import('./view.js').View} View
+ * @typedef {{model: Model, spots: Spots, directions: Record<string, number>, selection: string | null, faulty: Set<string>}} Scene
+ *     selection and faulty: JSON pointers
+ */
+
+const looks = 5;
+
+export class Canvas {
+    /**
+     * @param {SVGSVGElement} root
+     * @param {View} view
+     */
+    constructor(root, view) {
+        this.root = root;
+        this.view = view;
+        this.layers = Object.fromEntries(['grid', 'under', 'bodies', 'joints', 'loads', 'labels', 'over'].map((name) => {
+            const layer = svg('g', {class: `layer ${name}`});
+            root.append(layer);
+            return [name, layer];
+        }));
+    }
+    /** @param {Scene} scene */
+    draw(scene) {
+        this.scene = scene;
+        for (const layer of Object.values(this.layers)) layer.replaceChildren();
+        this.drawGrid();
+        this.drawBodies();
+        this.drawJoints();
+        this.drawPoints();
+        this.drawDrivers();
+        this.drawMasses();
+        this.drawLoads();
+    }
+    /**
+     * @param {string} point
+     * @returns {Spot | null}
+     */
+    spot(point) {
+        const at = this.scene?.spots[point];
+        return at ? this.view.toScreen(at) : null;
+    }
+    /**
+     * Adds marks under the name of what they show.
+     * @param {string} layer
+     * @param {string} pointer
+     * @param {string} look
+     * @param {...Element} marks
+     */
+    add(layer, pointer, look, ...marks) {
+        const states = [look, this.scene?.selection === pointer ? 'selected' : '', this.scene?.faulty.has(pointer) ? 'faulty' : ''];
+        const group = svg('g', {class: states.filter(Boolean).join(' '), 'data-of': pointer}, ...marks);
+        this.layers[layer].append(group);
+    }
+    drawGrid() {
+        const {view} = this, step = view.grid, [x0, y0] = view.toPlane([0, view.height]), [x1, y1] = view.toPlane([view.width, 0]);
+        let d = '';
+        for (let x = Math.ceil(x0 / step); x * step <= x1; ++x)
+            for (let y = Math.ceil(y0 / step); y * step <= y1; ++y) {
+                const [u, v] = view.toScreen([x * step, y * step]);
+                d += `M${u.toFixed(1)} ${v.toFixed(1)}h.01`;
+            }
+        this.layers.grid.append(svg('path', {class: 'dots', d}));
+        const origin = view.toScreen([0, 0]);
+        this.layers.grid.append(svg('path', {class: 'axes', d: `M${origin[0] - 7} ${origin[1]}h14M${origin[0]} ${origin[1] - 7}v14`}));
+    }
+    /**
+     * The look of a body: its colour, as in the figures.
+     * @param {string} body
+     */
+    look(body) {
+        const {model} = /** @type {Scene} */ (this.scene), index = model.movingBodies.findIndex(({name}) => name === body);
+        return index < 0 ? 'frame' : `body-${(index % looks) + 1}`;
+    }
+    drawBodies() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const body of model.movingBodies) {
+            const pointer = Model.pointer(['bodies', body.name]), look = this.look(body.name);
+            const at = /** @type {Spot[]} */ (model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean));
+            const inLine = at.length > 2 && isStraight(at);
+            if (at.length > 1) this.add('bodies', pointer, look, symbols.link(inLine ? ends(at) : at));
+            if (at.length > 1 || body.circle) this.tag(body.name, look, tagPlace(at));
+        }
+    }
+    /**
+     * The number of a body in its circle.
+     * @param {string} name
+     * @param {string} look
+     * @param {Spot} at
+     */
+    tag(name, look, [x, y]) {
+        this.add('labels', Model.pointer(['bodies', name]), `${look} tag`, svg('circle', {cx: x, cy: y, r: 11}), svg('text', {x, y: y + 5}, name));
+    }
+    /**
+     * The direction of a joint on the screen, radians.
+     * @param {string} pointer
+     * @param {any} along
+     */
+    turned(pointer, along) {
+        const {directions, spots} = /** @type {Scene} */ (this.scene);
+        if (pointer in directions) return -directions[pointer];
+        if (typeof along === 'number') return (-along * Math.PI) / 180;
+        if (Array.isArray(along) && spots[along[0]] && spots[along[1]])
+            return -Math.atan2(spots[along[1]][1] - spots[along[0]][1], spots[along[1]][0] - spots[along[0]][0]);
+        return 0;
+    }
+    drawJoints() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const joint of model.joints) {
+            const at = this.spot(joint.point);
+            if (!at) continue;
+            const turned = this.turned(joint.pointer, joint.form.along ?? joint.form.tangent), look = this.look(joint.bodies[0] ?? '');
+            if (joint.kind === 'prismatic') this.add('under', joint.pointer, look, symbols.slider(at, turned, joint.bodies[1] === model.frame));
+            else if (joint.kind === 'pin-slot') this.add('under', joint.pointer, this.look(joint.bodies[1] ?? ''), symbols.slot(at, turned));
+            else if (joint.kind === 'revolute' && joint.bodies.includes(model.frame)) this.add('under', joint.pointer, 'frame', symbols.ground(at));
+            else if (joint.kind !== 'revolute' && joint.kind !== 'weld') this.drawWheels(joint, at, turned);
+        }
+        for (const point of model.bodyNamed(model.frame)?.points ?? []) {
+            const at = this.spot(point);
+            if (at && !model.hingeAt(point)) this.add('under', Model.pointer(['points', point]), 'frame', symbols.ground(at));
+        }
+    }
+    /**
+     * @param {import('./model.js').JointItem} joint
+     * @param {Spot} at
+     * @param {number} turned
+     */
+    drawWheels(joint, at, turned) {
+        const {model} = /** @type {Scene} */ (this.scene), profiles = joint.form.profiles ?? {};
+        let wheels = 0;
+        for (const body of joint.bodies) {
+            const centre = this.spot(profiles[body]?.circle ?? model.bodyNamed(body)?.circle?.centre ?? '');
+            if (!centre) continue;
+            ++wheels;
+            this.add('under', joint.pointer, this.look(body), symbols.wheel(centre, distance(centre, at), joint.kind === 'gear'));
+        }
+        const [x, y] = at, dx = 40 * Math.cos(turned), dy = 40 * Math.sin(turned);
+        if (wheels < 2) this.add('under', joint.pointer, 'frame', svg('path', {class: 'guide', d: `M${x - dx} ${y - dy}L${x + dx} ${y + dy}`}));
+    }
+    drawPoints() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const {name} of model.points) {
+            const at = this.spot(name), joint = model.joints.some((each) => each.point === name && each.kind !== 'weld');
+            if (!at) continue;
+            this.add('joints', Model.pointer(['points', name]), joint ? 'joint' : 'free', joint ? symbols.pin(at) : symbols.dot(at));
+            const isLow = model.isGround(name);
+            this.add('labels', Model.pointer(['points', name]), 'name', symbols.label([at[0] + (isLow ? 14 : 10), at[1] + (isLow ? 4 : -10)], name, 'of-point'));
+        }
+    }
+    drawDrivers() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const {form, pointer} of model.drivers) {
+            const rate = parseFloat(form.omega ?? form.speed ?? form.law?.turn ?? 1) || 1, body = String(form.body ?? '');
+            if (form.joint !== undefined) {
+                const joint = model.joints.find((each) => each.name === String(form.joint)), at = this.spot(joint?.point ?? '');
+                if (joint && at) this.push(pointer, at, this.turned(joint.pointer, joint.form.along) + (rate < 0 ? Math.PI : 0));
+                continue;
+            }
+            const pivot = model.pointsOf(body).find((each) => model.isGround(each)) ?? model.pointsOf(body)[0], at = this.spot(form.at ?? pivot ?? '');
+            if (at) this.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0));
+        }
+    }
+    /**
+     * @param {string} pointer
+     * @param {Spot} at
+     * @param {number} turned
+     */
+    push(pointer, [x, y], turned) {
+        const from = /** @type {Spot} */ ([x - 22 * Math.sin(-turned), y - 22 * Math.cos(turned)]);
+        this.add('loads', pointer, 'drive', symbols.arrow(from, [from[0] + 46 * Math.cos(turned), from[1] + 46 * Math.sin(turned)], 'driver'));
+    }
+    drawMasses() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const {body, form} of model.masses) {
+            const at = this.spot(form.centre ?? '');
+            if (at) this.add('loads', Model.pointer(['masses', body]), this.look(body), symbols.weight(at));
+        }
+    }
+    drawLoads() {
+        const {model} = /** @type {Scene} */ (this.scene);
+        for (const {form, pointer} of model.loads) {
+            const between = Array.isArray(form.between) ? form.between.map((/** @type {string} */ each) => this.spot(each)) : [];
+            if (between.length === 2 && between[0] && between[1]) {
+                this.add('under', pointer, 'load', symbols.spring(between[0], between[1]));
+                continue;
+            }
+            const pin = model.joints.find((each) => each.name === String(form.pin)), at = this.spot(form.at ?? pin?.point ?? '');
+            if (at && form.force !== undefined) this.drawForce(form, pointer, at);
+            else if (form.couple !== undefined) this.drawCouple(form, pointer);
+            else if (form.distributed !== undefined) this.drawDistributed(form, pointer);
+        }
+    }
+    /**
+     * @param {any} form
+     * @param {string} pointer
+     * @param {Spot} at
+     */
+    drawForce(form, pointer, at) {
+        const turned = this.turned(pointer, form.along), length = 62, sign = parseFloat(form.magnitude) < 0 ? -1 : 1;
+        const tail = /** @type {Spot} */ ([at[0] - sign * length * Math.cos(turned), at[1] - sign * length * Math.sin(turned)]);
+        const tip = /** @type {Spot} */ ([at[0] - sign * 9 * Math.cos(turned), at[1] - sign * 9 * Math.sin(turned)]);
+        this.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([tail[0] + 8, tail[1] + 4], String(form.force), 'of-load'));
+    }
+    /**
+     * @param {any} form
+     * @param {string} pointer
+     */
+    drawCouple(form, pointer) {
+        const {model} = /** @type {Scene} */ (this.scene), at = this.spot(model.pointsOf(String(form.body))[0] ?? '');
+        if (at) this.add('loads', pointer, 'load', symbols.spin([at[0], at[1] - 4], !(parseFloat(form.value) < 0)));
+    }
+    /**
+     * @param {any} form
+     * @param {string} pointer
+     */
+    drawDistributed(form, pointer) {
+        const from = this.spot(form.from ?? ''), to = this.spot(form.to ?? ''), turned = this.turned(pointer, form.along);
+        if (!from || !to) return;
+        const back = (/** @type {Spot} */ at) => /** @type {Spot} */ ([at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)]);
+        const marks = [0, 0.25, 0.5, 0.75, 1].map((t) => {
+            const at = /** @type {Spot} */ ([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+            return symbols.arrow(back(at), at, 'force');
+        });
+        const [a, b] = [back(from), back(to)];
+        this.add('loads', pointer, 'load', svg('path', {class: 'edge', d: `M${a}L${b}`}), ...marks);
+    }
+    /**
+     * What a tool shows while it is used.
+     * @param {...Element} marks
+     */
+    over(...marks) {
+        this.layers.over.replaceChildren(...marks);
+    }
+}
+
+/** @param {Spot[]} at */
+function isStraight(at) {
+    const [a, b] = ends(at), length = distance(a, b) || 1;
+    return at.every((each) => Math.abs((b[0] - a[0]) * (each[1] - a[1]) - (b[1] - a[1]) * (each[0] - a[0])) / length < 1.5);
+}
+/**
+ * The two spots farthest apart.
+ * @param {Spot[]} at
+ * @returns {[Spot, Spot]}
+ */
+function ends(at) {
+    let best = /** @type {[Spot, Spot]} */ ([at[0], at[1]]);
+    for (const a of at) for (const b of at) if (distance(a, b) > distance(...best)) best = [a, b];
+    return best;
+}
+/**
+ * Beside the middle of a bar, within a plate.
+ * @param {Spot[]} at
+ * @returns {Spot}
+ */
+function tagPlace(at) {
+    if (at.length === 0) return [-100, -100];
+    const [a, b] = at.length > 1 ? ends(at) : [at[0], at[0]];
+    if (at.length > 2 && !isStraight(at))
+        return [at.reduce((sum, each) => sum + each[0], 0) / at.length, at.reduce((sum, each) => sum + each[1], 0) / at.length];
+    const length = distance(a, b) || 1, away = 24, sign = b[0] - a[0] < 0 ? 1 : -1;
+    return [(a[0] + b[0]) / 2 - (sign * away * (b[1] - a[1])) / length, (a[1] + b[1]) / 2 + (sign * away * (b[0] - a[0])) / length];
+}

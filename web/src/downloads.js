@@ -1,0 +1,68 @@
+// What can be taken away: the file, results, the sheet as pictures, and print.
+import {byId, download, html} from './dom.js';
+import {picture} from './figures.js';
+
+/** @typedef {import('./bench.js').Bench} Bench */
+
+/** Dots for a unit of the picture: 96 dpi times three. */
+const sharpness = 3;
+
+/** @param {Bench} bench */
+const stem = (bench) => (bench.document.name || 'mechanism').replace(/\.json$/, '');
+
+/**
+ * @param {string} text
+ * @returns {Promise<Blob>}
+ */
+async function pngOf(text) {
+    const image = picture(text, '');
+    await image.decode();
+    const canvas = html('canvas', {width: image.naturalWidth * sharpness, height: image.naturalHeight * sharpness});
+    const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    pen.fillStyle = '#fff';
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png'));
+}
+/**
+ * The pages of the sheet on white paper.
+ * @param {Bench} bench
+ */
+async function pages(bench) {
+    const answer = await bench.inquiry.other(['sheet'], [], {theme: 'colour'});
+    return answer.sheet ?? [];
+}
+/**
+ * @param {Bench} bench
+ * @param {string} kind
+ */
+export async function take(bench, kind) {
+    const name = stem(bench), text = (/** @type {string} */ each, /** @type {string} */ type) => new Blob([each], {type});
+    if (kind === 'json') return download(text(bench.document.text, 'application/json'), `${name}.json`);
+    if (kind === 'results' || kind === 'tex') {
+        const answer = await bench.inquiry.other([kind]), found = answer[kind];
+        if (found) download(text(found, 'text/plain'), kind === 'tex' ? `${name}.tex` : `${name}_results.json`);
+        return;
+    }
+    if (kind === 'html') {
+        const {live} = await bench.inquiry.other(['live'], [], {theme: 'colour'});
+        if (live) download(text(live, 'text/html'), `${name}.html`);
+        return;
+    }
+    if (kind === 'print') return print(bench);
+    for (const [i, page] of (await pages(bench)).entries()) {
+        const file = i === 0 ? name : `${name}-${i + 1}`;
+        if (kind === 'svg') download(text(page, 'image/svg+xml'), `${file}.svg`);
+        else download(await pngOf(page), `${file}.png`);
+    }
+}
+/**
+ * Prints the sheet; the browser makes a PDF of it too.
+ * @param {Bench} bench
+ */
+async function print(bench) {
+    const paper = byId('paper'), images = (await pages(bench)).map((page) => picture(page, ''));
+    await Promise.all(images.map((each) => each.decode()));
+    paper.replaceChildren(...images);
+    window.print();
+}

@@ -1,0 +1,201 @@
+// What can be done to a mechanism, each as a change of the file's text: add points, links, joints, drivers and loads.
+import {JsonText, Literal} from './json_text.js';
+import {Model} from './model.js';
+
+/**
+ * @typedef {import('./json_text.js').Path} Path
+ * @typedef {[number, number]} Spot coordinates in the file's unit of length
+ * @typedef {Record<string, Spot>} Spots
+ */
+
+/**
+ * A number with the digits that a drawing needs.
+ * @param {number} value
+ */
+export function rounded(value) {
+    return Number(value.toFixed(Math.max(0, Math.min(9, 5 - Math.floor(Math.log10(Math.abs(value) || 1))))));
+}
+/**
+ * @param {Spot} at
+ * @returns {Spot}
+ */
+export const roundedSpot = (at) => [rounded(at[0]), rounded(at[1])];
+/**
+ * What was typed: a number with its digits, or a text for quantities and formulas.
+ * @param {string} text
+ */
+export function typed(text) {
+    const trimmed = text.trim();
+    return /^-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?$/.test(trimmed) ? new Literal(trimmed) : trimmed;
+}
+/**
+ * A body's name as files write it: 2 where it is a number.
+ * @param {string} name
+ */
+export const bodyValue = (name) => (/^(0|[1-9]\d{0,8})$/.test(name) ? Number(name) : name);
+
+/** A file's text while several changes are made that belong together. */
+export class Edit {
+    /**
+     * @param {JsonText} json
+     * @param {Spots} spots where the points are now
+     */
+    constructor(json, spots) {
+        this.json = json;
+        this.spots = {...spots};
+        this.model = new Model(json);
+    }
+    get text() {
+        return this.json.text;
+    }
+    /** @param {JsonText} json */
+    take(json) {
+        if (json === this.json) return;
+        this.json = json;
+        this.model = new Model(json);
+    }
+    /**
+     * @param {Path} path
+     * @param {any} value
+     */
+    set(path, value) {
+        this.take(this.json.set(path, value));
+    }
+    /**
+     * @param {Path} path
+     * @param {any} value
+     */
+    add(path, value) {
+        if (!this.json.at(path)) this.take(this.json.set(path, []));
+        this.take(this.json.add(path, value));
+    }
+    /** @param {Path} path */
+    remove(path) {
+        this.take(this.json.remove(path));
+    }
+
+    /**
+     * @param {any} form
+     * @param {Spot} at
+     * @param {string} [name]
+     */
+    addPoint(form, at, name) {
+        const free = this.model.freePointName(name);
+        this.set(['points', free], form);
+        this.spots[free] = at;
+        return free;
+    }
+    /**
+     * @param {string} point
+     * @param {string} body
+     */
+    addPointToBody(point, body) {
+        const {model} = this;
+        if (model.pointsOf(body).includes(point)) return;
+        const item = model.bodyNamed(body);
+        if (item) this.add(item.listPath, point);
+        else this.set(['bodies', body], [point]);
+    }
+    /**
+     * A body of these points, hinged to the bodies that carry them already.
+     * @param {string[]} points
+     */
+    addBody(points) {
+        const name = this.model.freeBodyName();
+        const others = points.map((each) => this.model.bodiesAt(each));
+        this.set(['bodies', name], points);
+        points.forEach((point, i) => {
+            if (others[i].length > 0) this.addHinge(point, [...others[i], name]);
+        });
+        return name;
+    }
+    /**
+     * A hinge of these bodies at a point; one that is there takes more bodies.
+     * @param {string} point
+     * @param {string[]} bodies
+     */
+    addHinge(point, bodies) {
+        const there = this.model.hingeAt(point);
+        if (!there) return this.add(['joints'], {revolute: point, bodies: bodies.map(bodyValue)});
+        for (const body of bodies)
+            if (!there.bodies.includes(body)) this.add([...there.path, 'bodies'], bodyValue(body));
+    }
+    /**
+     * Fixes a point to the frame: a hinge of its bodies, or one of the frame's points where it has none yet.
+     * @param {string} point
+     */
+    addGround(point) {
+        const {model} = this, bodies = model.bodiesAt(point).filter((each) => each !== model.frame);
+        if (model.isGround(point)) return;
+        if (bodies.length > 0) this.addHinge(point, [model.frame, ...bodies]);
+        else this.addPointToBody(point, model.frame);
+    }
+    /**
+     * A block that slides on a guide of the frame, hinged to the bodies at the point.
+     * @param {string} point
+     * @param {any} along
+     */
+    addSlider(point, along) {
+        const {model} = this, others = model.bodiesAt(point).filter((each) => each !== model.frame);
+        const block = others.length > 0 ? this.addBody([point]) : model.bodiesAt(point)[0] ?? this.addBody([point]);
+        this.add(['joints'], {prismatic: point, bodies: [bodyValue(block), bodyValue(model.frame)], along});
+        return block;
+    }
+    /**
+     * The pin of a body in the straight slot of another.
+     * @param {string} pin
+     * @param {string} body
+     * @param {string} slotted
+     * @param {string} end
+     */
+    addSlot(pin, body, slotted, end) {
+        this.add(['joints'], {'pin-slot': pin, bodies: [bodyValue(body), bodyValue(slotted)], along: [end, pin]});
+    }
+    /**
+     * Two wheels about these centres that touch between them.
+     * @param {'gear' | 'rolling'} kind
+     * @param {string[]} bodies
+     * @param {string[]} centres
+     * @param {string} contact
+     */
+    addWheels(kind, bodies, centres, contact) {
+        const profiles = Object.fromEntries(bodies.map((each, i) => [each, {circle: centres[i]}]));
+        this.add(['joints'], {[kind]: contact, bodies: bodies.map(bodyValue), profiles});
+    }
+    /** @param {string} body */
+    addDriver(body) {
+        this.add(['drivers'], {body: bodyValue(body), omega: 10});
+    }
+    /** @param {string} joint */
+    addSlideDriver(joint) {
+        this.add(['drivers'], {joint, speed: this.model.unit === 'mm' ? '100 mm/s' : '0.1 m/s'});
+    }
+    /**
+     * @param {string} body
+     * @param {string} centre
+     */
+    addWeight(body, centre) {
+        this.addPointToBody(centre, body);
+        this.set(['masses', body], {mass: 1, centre});
+        if (!this.json.at(['gravity'])) this.set(['gravity'], [0, -9.81]);
+    }
+    /**
+     * @param {string} point
+     * @param {string} body the one that is loaded; '': the pin
+     * @param {number} magnitude
+     * @param {number} angle degrees
+     */
+    addForce(point, body, magnitude, angle) {
+        const on = body === '' ? {pin: point} : {body: bodyValue(body), at: point};
+        this.add(['loads'], {force: this.model.freeLoadName('F'), ...on, magnitude, along: angle});
+    }
+    /**
+     * @param {string[]} points
+     * @param {string[]} bodies
+     * @param {number} free the free length
+     */
+    addSpring(points, bodies, free) {
+        this.add(['loads'], {spring: this.model.freeLoadName('S'), bodies: bodies.map(bodyValue), between: points,
+            stiffness: '1 N/mm', 'free length': rounded(free)});
+    }
+}

@@ -1,0 +1,148 @@
+// Open, save, new, drop a file, a link: what the file is, and that nothing is lost unasked.
+import {emptyFile} from './bench.js';
+import {byId, download, html} from './dom.js';
+import {fragmentOf, isLink, textOf} from './link.js';
+import {word} from './words.js';
+
+/** @typedef {import('./bench.js').Bench} Bench */
+
+const mostBytes = 8 << 20;
+
+export class Files {
+    /** @param {Bench} bench */
+    constructor(bench) {
+        this.bench = bench;
+        /** @type {HTMLInputElement} */
+        this.picker = byId('picker');
+        this.picker.addEventListener('change', () => {
+            const [file] = this.picker.files ?? [];
+            this.picker.value = '';
+            if (file) void this.read(file);
+        });
+        document.addEventListener('dragover', (event) => event.preventDefault());
+        document.addEventListener('drop', (event) => {
+            event.preventDefault();
+            const [file] = event.dataTransfer?.files ?? [];
+            if (file) void this.read(file);
+        });
+        window.addEventListener('beforeunload', (event) => bench.document.isChanged && event.preventDefault());
+        window.addEventListener('hashchange', () => void this.openLink());
+        bench.on(['file'], () => this.showName());
+    }
+    /** What the page begins with: the link's mechanism, the served file, or a new one. */
+    async begin() {
+        if (await this.openLink()) return;
+        const file = await this.bench.engine.file();
+        if (file?.fault) this.say(file.fault);
+        this.isServed = Boolean(file);
+        const name = file?.name ?? `${word('mechanism').toLowerCase()}.json`;
+        this.bench.open(file?.text ?? emptyFile(word('untitled')), name, file?.text ?? null);
+    }
+    /** The address names a mechanism: opens it. A damaged one is said and leaves what is there. */
+    async openLink() {
+        if (!isLink(location.hash)) return false;
+        const text = await textOf(location.hash);
+        if (text === null) {
+            this.say(word('bad_link'));
+            return false;
+        }
+        if (!await this.mayLose()) return true;
+        this.isServed = false;
+        this.bench.open(text, 'mechanism.json', text);
+        return true;
+    }
+    /** Whether changes may be given up. */
+    async mayLose() {
+        return !this.bench.document.isChanged || this.bench.document.past.length === 0 || this.ask(word('lose_changes'), word('go_on'));
+    }
+    /**
+     * A question with two answers.
+     * @param {string} text
+     * @param {string} yes
+     */
+    ask(text, yes) {
+        /** @type {HTMLDialogElement} */
+        const dialog = byId('question');
+        byId('question-text').textContent = text;
+        byId('question-yes').textContent = yes;
+        dialog.returnValue = '';
+        dialog.showModal();
+        return new Promise((resolve) => dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), {once: true}));
+    }
+    pick() {
+        this.picker.click();
+    }
+    /** @param {File} file */
+    async read(file) {
+        if (file.size > mostBytes) return this.say(word('too_large'));
+        const text = await file.text();
+        if (!await this.mayLose()) return;
+        this.isServed = false;
+        this.bench.open(text, file.name, text);
+    }
+    /**
+     * @param {string} text
+     * @param {string} name
+     */
+    async openExample(text, name) {
+        if (!await this.mayLose()) return;
+        this.isServed = false;
+        this.bench.open(text, name, text);
+    }
+    async startNew() {
+        if (!await this.mayLose()) return;
+        this.isServed = false;
+        this.bench.open(emptyFile(word('untitled')), 'mechanism.json', null);
+    }
+    /** Saves where the page can, otherwise offers the file. */
+    async save() {
+        const {bench} = this, {text, base, name} = bench.document, {save} = bench.engine;
+        if (!save || !this.isServed) {
+            download(new Blob([text], {type: 'application/json'}), name.endsWith('.json') ? name : `${name}.json`);
+            bench.document.base = text;
+            return this.showName();
+        }
+        const answer = await save(text, base);
+        if (answer.saved) {
+            bench.document.base = text;
+            this.say(word('saved', name));
+        } else if ('text' in answer) {
+            const keepMine = await this.ask(word('changed_elsewhere', name), word('overwrite'));
+            if (!keepMine) return;
+            bench.document.base = answer.text ?? null;
+            await this.save();
+        } else {
+            this.say(answer.fault ?? word('engine_lost'));
+        }
+        this.showName();
+    }
+    async copyLink() {
+        const fragment = await fragmentOf(this.bench.document.text), address = location.href.replace(/#.*/, '') + fragment;
+        history.replaceState(null, '', fragment);
+        try {
+            await navigator.clipboard.writeText(address);
+            this.say(word('link_copied'));
+        } catch {
+            this.say(word('link_in_address'));
+        }
+    }
+    showName() {
+        const {bench} = this, {title} = bench.model.file, {language} = bench.inquiry;
+        const text = typeof title === 'string' ? title : title?.[language] ?? title?.en ?? '', {name, isChanged} = bench.document;
+        const shown = text || name || word('untitled');
+        byId('name').textContent = shown;
+        byId('name').title = name;
+        byId('changed').hidden = !isChanged;
+        document.title = `${isChanged ? '• ' : ''}${shown} – Kinegraph`;
+        byId('undo').disabled = bench.document.past.length === 0;
+        byId('redo').disabled = bench.document.future.length === 0;
+    }
+    /** @param {string} text */
+    say(text) {
+        const notice = byId('notice');
+        notice.replaceChildren(html('span', {}, text));
+        notice.hidden = false;
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => (notice.hidden = true), 6000);
+    }
+}

@@ -1,0 +1,49 @@
+// The menu of what can be taken away, and the tabs of the panel.
+import {byId} from './dom.js';
+
+/** @typedef {import('./bench.js').Bench} Bench */
+
+export class Menus {
+    /** @param {Bench} bench */
+    constructor(bench) {
+        const more = byId('more'), menu = byId('menu');
+        const show = (/** @type {boolean} */ isOpen) => {
+            menu.hidden = !isOpen;
+            more.setAttribute('aria-expanded', String(isOpen));
+        };
+        more.addEventListener('click', () => show(menu.hidden));
+        menu.addEventListener('click', () => show(false));
+        document.addEventListener('pointerdown', (event) => {
+            if (event.target instanceof Node && !menu.contains(event.target) && !more.contains(event.target)) show(false);
+        });
+        document.addEventListener('keydown', (event) => {
+            if (event.key !== 'Escape' || menu.hidden) return;
+            show(false);
+            more.focus();
+        });
+        /** @type {HTMLButtonElement[]} */
+        this.tabs = [...byId('tabs').querySelectorAll('button')];
+        for (const each of this.tabs) {
+            each.addEventListener('click', () => this.choose(each));
+            each.addEventListener('keydown', (event) => {
+                const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+                if (by === 0) return;
+                const seen = this.tabs.filter((tab) => tab.offsetParent !== null), next = seen[(seen.indexOf(each) + by + seen.length) % seen.length];
+                next.focus();
+                this.choose(next);
+            });
+        }
+        bench.on(['selection'], () => {
+            if (bench.selection !== null && byId('tab-polygons').getAttribute('aria-selected') === 'true') this.choose(byId('tab-properties'));
+        });
+    }
+    /** @param {HTMLButtonElement} chosen */
+    choose(chosen) {
+        for (const each of this.tabs) {
+            const isChosen = each === chosen;
+            each.setAttribute('aria-selected', String(isChosen));
+            each.tabIndex = isChosen ? 0 : -1;
+            byId(each.getAttribute('aria-controls') ?? '').classList.toggle('chosen', isChosen);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+// The modes: Build, and the views of the solution; Move, Steps and Try it are the live page in a frame, Sheet its pages.
+import {byId, html} from './dom.js';
+import {picture} from './figures.js';
+import {word} from './words.js';
+
+/** @typedef {import('./bench.js').Bench} Bench */
+
+/**
+ * The tab of the live page that a mode shows.
+ * @type {Record<string, string>}
+ */
+const tabs = {move: 'mode-move', steps: 'mode-steps', try: 'try'};
+
+export class Modes {
+    /** @param {Bench} bench */
+    constructor(bench) {
+        this.bench = bench;
+        this.text = '';
+        this.kind = '';
+        /** @type {HTMLIFrameElement | null} */
+        this.liveFrame = null;
+        /** @type {HTMLButtonElement[]} */
+        this.buttons = [...byId('modes').querySelectorAll('button')];
+        this.buttons.forEach((each) => each.addEventListener('click', () => bench.setMode(each.dataset.mode ?? 'build')));
+        byId('modes').addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => this.onKey(event));
+        bench.on(['mode'], () => void this.show());
+    }
+    /** @param {KeyboardEvent} event */
+    onKey(event) {
+        const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0, {length} = this.buttons;
+        if (by === 0) return;
+        const next = this.buttons[(this.buttons.findIndex((each) => each.dataset.mode === this.bench.mode) + by + length) % length];
+        next.focus();
+        next.click();
+    }
+    async show() {
+        const {mode} = this.bench, isBuild = mode === 'build';
+        for (const each of this.buttons) {
+            each.setAttribute('aria-selected', String(each.dataset.mode === mode));
+            each.tabIndex = each.dataset.mode === mode ? 0 : -1;
+        }
+        document.documentElement.dataset.mode = mode;
+        byId('build').hidden = !isBuild;
+        byId('shown').hidden = isBuild;
+        if (isBuild) return;
+        byId('shown').setAttribute('aria-labelledby', `go-${mode}`);
+        const kind = mode === 'sheet' ? 'sheet' : 'live', {text} = this.bench.document, {theme, language} = this.bench.inquiry;
+        const key = `${kind} ${theme} ${language}`;
+        if (key !== this.kind || text !== this.text) await this.load(kind, key, text);
+        if (kind === 'live') this.showTab(mode);
+    }
+    /**
+     * @param {'sheet' | 'live'} kind
+     * @param {string} key
+     * @param {string} text
+     */
+    async load(kind, key, text) {
+        const room = byId('shown');
+        room.replaceChildren(html('p', {class: 'empty', role: 'status'}, word('working')));
+        const answer = await this.bench.inquiry.other([kind], [], kind === 'live' ? {theme: 'colour'} : {});
+        if (text !== this.bench.document.text || this.bench.mode === 'build') return;
+        [this.kind, this.text] = [key, text];
+        const faults = answer.failure ? [answer.failure] : answer.faults.map((each) => each.text);
+        if (answer.live) {
+            await this.frame(answer.live);
+        } else if (answer.sheet) {
+            room.replaceChildren(...answer.sheet.map((page, i) => picture(page, word('sheet_page', i + 1))));
+        } else {
+            this.kind = '';
+            room.replaceChildren(html('div', {class: 'empty', role: 'status'}, html('p', {}, word('not_shown')), ...faults.map((each) => html('p', {}, each))));
+        }
+    }
+    /**
+     * The live page in a frame, without its own bar of modes.
+     * @param {string} page
+     */
+    async frame(page) {
+        const frame = html('iframe', {srcdoc: page, title: word('live_page')});
+        byId('shown').replaceChildren(frame);
+        await new Promise((resolve) => frame.addEventListener('load', resolve, {once: true}));
+        this.liveFrame = frame;
+        const inside = frame.contentDocument;
+        for (const id of ['modes', 'hall']) inside?.getElementById(id)?.setAttribute('hidden', '');
+        inside?.querySelectorAll('h1').forEach((each) => each.setAttribute('hidden', ''));
+    }
+    /** @param {string} mode */
+    showTab(mode) {
+        const inside = this.liveFrame?.contentDocument, tab = inside?.getElementById(tabs[mode]);
+        tab?.click();
+    }
+}

@@ -1,0 +1,120 @@
+// The marks of the canvas, after ISO 3952: pins, grounds, bars, plates, sliders, wheels, springs, forces. Pixels, y downwards.
+import {svg} from './dom.js';
+
+/** @typedef {import('./edit.js').Spot} Spot */
+
+/** @param {Spot[]} spots */
+const through = (spots) => spots.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
+
+/** @param {Spot} at */
+export const pin = (at) => svg('circle', {class: 'pin', cx: at[0], cy: at[1], r: 6});
+/**
+ * A point that is no pin.
+ * @param {Spot} at
+ */
+export const dot = (at) => svg('circle', {class: 'dot', cx: at[0], cy: at[1], r: 4});
+/** @param {Spot} at */
+export function ground([x, y]) {
+    const hatch = [-14, -7, 0, 7, 14].map((i) => `M${x + i} ${y + 22}l-6 7`).join('');
+    return svg('g', {class: 'ground'}, svg('path', {class: 'base', d: `M${x} ${y}l-11 22h22z`}), svg('path', {d: `M${x - 18} ${y + 22}h36${hatch}`}));
+}
+/**
+ * Two spots: a bar; more: a plate with its outline.
+ * @param {Spot[]} spots
+ */
+export function link(spots) {
+    const sorted = spots.length > 3 ? hull(spots) : spots;
+    return svg('path', {class: spots.length > 2 ? 'plate' : 'bar', d: through(sorted) + (spots.length > 2 ? 'Z' : '')});
+}
+/**
+ * The convex hull (Andrew).
+ * @param {Spot[]} spots
+ */
+export function hull(spots) {
+    const sorted = [...spots].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+    const half = (/** @type {Spot[]} */ all) => {
+        /** @type {Spot[]} */
+        const chain = [];
+        for (const each of all) {
+            while (chain.length > 1) {
+                const [a, b] = chain.slice(-2);
+                if ((b[0] - a[0]) * (each[1] - a[1]) - (b[1] - a[1]) * (each[0] - a[0]) > 0) break;
+                chain.pop();
+            }
+            chain.push(each);
+        }
+        return chain.slice(0, -1);
+    };
+    return [...half(sorted), ...half([...sorted].reverse())];
+}
+/**
+ * A slider on its guide; `turned`: radians on the screen; the frame's guide is hatched.
+ * @param {Spot} at
+ * @param {number} turned
+ * @param {boolean} isOfFrame
+ */
+export function slider([x, y], turned, isOfFrame) {
+    const hatch = isOfFrame ? [-40, -28, -16, -4, 8, 20, 32].map((i) => `M${i + 6} 13l-6 7`).join('') : '';
+    return svg('g', {class: 'slider', transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`},
+        svg('path', {class: 'guide', d: `M-46 13h92${hatch}`}), svg('rect', {class: 'block', x: -19, y: -12, width: 38, height: 24, rx: 2}));
+}
+/**
+ * @param {Spot} at
+ * @param {number} turned
+ */
+export const slot = ([x, y], turned) =>
+    svg('rect', {class: 'slot', x: -44, y: -9, width: 88, height: 18, rx: 9, transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`});
+/**
+ * @param {Spot} centre
+ * @param {number} radius
+ * @param {boolean} isGear
+ */
+export const wheel = (centre, radius, isGear) =>
+    svg('circle', {class: isGear ? 'wheel gear' : 'wheel', cx: centre[0], cy: centre[1], r: radius});
+/**
+ * An arrow whose tip is at `to`.
+ * @param {Spot} from
+ * @param {Spot} to
+ * @param {string} kind
+ */
+export function arrow(from, to, kind) {
+    const turned = Math.atan2(to[1] - from[1], to[0] - from[0]);
+    const wing = (/** @type {number} */ by) => `${to[0] - 11 * Math.cos(turned + by)} ${to[1] - 11 * Math.sin(turned + by)}`;
+    return svg('g', {class: `arrow ${kind}`}, svg('path', {d: through([from, to])}), svg('path', {class: 'head', d: `M${to[0]} ${to[1]}L${wing(0.3)}L${wing(-0.3)}Z`}));
+}
+/**
+ * The sense of a driver about a pivot: counter-clockwise where positive.
+ * @param {Spot} at
+ * @param {boolean} isPositive
+ */
+export function spin([x, y], isPositive) {
+    const sign = isPositive ? 1 : -1, radius = 24, end = /** @type {Spot} */ ([x + sign * -radius * 0.5, y - radius * 0.87]);
+    const tip = `M${end[0]} ${end[1]}l${sign * 9} -5l${sign * 1} 10z`;
+    return svg('g', {class: 'arrow driver'}, svg('path', {d: `M${x + sign * radius * 0.87} ${y - radius * 0.5}A${radius} ${radius} 0 0 ${isPositive ? 0 : 1} ${end[0]} ${end[1]}`}),
+        svg('path', {class: 'head', d: tip}));
+}
+/**
+ * @param {Spot} from
+ * @param {Spot} to
+ */
+export function spring(from, to) {
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]), turned = Math.atan2(to[1] - from[1], to[0] - from[0]);
+    const coil = Math.min(length * 0.7, 120), start = (length - coil) / 2, turns = 6;
+    let d = `M0 0H${start}`;
+    for (let i = 0; i < turns; ++i) d += `l${coil / turns / 4} -8l${coil / turns / 2} 16l${coil / turns / 4} -8`;
+    return svg('path', {class: 'spring', d: `${d}H${length}`, transform: `translate(${from[0]} ${from[1]}) rotate(${(turned * 180) / Math.PI})`});
+}
+/** @param {Spot} at */
+export const weight = ([x, y]) => svg('g', {class: 'weight'}, svg('circle', {cx: x, cy: y, r: 8}),
+    svg('path', {class: 'head', d: `M${x} ${y}V${y - 8}A8 8 0 0 1 ${x + 8} ${y}ZM${x} ${y}V${y + 8}A8 8 0 0 1 ${x - 8} ${y}Z`}));
+/**
+ * A name beside a spot, its digits as an index: O₂.
+ * @param {Spot} at
+ * @param {string} name
+ * @param {string} kind
+ */
+export function label(at, name, kind) {
+    const match = /^(\D+)(\d+)$/.exec(name);
+    return svg('text', {class: `label ${kind}`, x: at[0], y: at[1]}, match ? match[1] : name,
+        ...(match ? [svg('tspan', {class: 'index', dy: 4}, match[2])] : []));
+}

@@ -1,0 +1,297 @@
+// The tools: each takes what the pointer or the keyboard picks, one target after the other, and changes the file.
+import {rounded, roundedSpot} from './edit.js';
+import {Model} from './model.js';
+import {angle, distance} from './placing.js';
+import {barNear} from './snap.js';
+
+/**
+ * @typedef {import('./bench.js').Bench} Bench
+ * @typedef {import('./edit.js').Edit} Edit
+ * @typedef {import('./edit.js').Spot} Spot
+ * @typedef {import('./snap.js').Target & {form?: any}} Target form: how the point is placed, where it was typed
+ */
+
+/**
+ * @param {string} list
+ * @param {string | number} key
+ */
+export const pointerTo = (list, key) => Model.pointer([list, key]);
+
+/**
+ * The point of a target; where there is none it is made: exactly on a bar, at an angle, or at its coordinates.
+ * @param {Edit} edit
+ * @param {Target} target
+ * @param {string} [name]
+ * @param {string} [from]
+ */
+export function pointAt(edit, target, name, from = '') {
+    if (target.point && edit.model.point(target.point)) return target.point;
+    if (target.form) return edit.addPoint(target.form, target.at, name);
+    if (target.bar) {
+        const {from: start, to, body} = target.bar, away = rounded(distance(edit.spots[start], target.at));
+        const made = edit.addPoint({from: start, to, distance: away}, target.at, name);
+        edit.addPointToBody(made, body);
+        return made;
+    }
+    if (target.snapped === 'angle' && from)
+        return edit.addPoint({from, distance: rounded(distance(edit.spots[from], target.at)), angle: rounded(angle(edit.spots[from], target.at))}, target.at, name);
+    return edit.addPoint(roundedSpot(target.at), target.at, name);
+}
+
+export class Tool {
+    /** @param {Bench} bench */
+    constructor(bench) {
+        this.bench = bench;
+        /**
+         * The points picked so far.
+         * @type {string[]}
+         */
+        this.picked = [];
+    }
+    /** Its name, in the texts `tool_NAME` and `hint_NAME`. */
+    static tool = '';
+    static key = '';
+    get name() {
+        return /** @type {typeof Tool} */ (this.constructor).tool;
+    }
+    /**
+     * Where a line begins that is being drawn.
+     * @returns {Spot | null}
+     */
+    from() {
+        const last = this.picked[this.picked.length - 1];
+        return last ? this.bench.spots[last] ?? null : null;
+    }
+    /** @param {Target} target */
+    pick(target) {
+        void target;
+    }
+    /** @param {string} point */
+    begin(point) {
+        this.picked = [point];
+    }
+    /** Ends what was begun. */
+    cancel() {
+        this.picked = [];
+    }
+    /** @param {(edit: Edit) => string | null | undefined | void} change */
+    edit(change) {
+        this.bench.edit(change);
+    }
+}
+
+export class SelectTool extends Tool {
+    static tool = 'select';
+    static key = 'v';
+}
+export class PointTool extends Tool {
+    static tool = 'point';
+    static key = 'p';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => pointerTo('points', pointAt(edit, target)));
+    }
+}
+/** Bars from point to point, each from the end of the last, until the same point is picked again. */
+export class LinkTool extends Tool {
+    static tool = 'link';
+    static key = 'l';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const last = this.picked[this.picked.length - 1] ?? '', point = pointAt(edit, target, 'A', last);
+            if (last === point) {
+                this.cancel();
+                return undefined;
+            }
+            this.begin(point);
+            if (!last || !edit.model.point(last)) return pointerTo('points', point);
+            return pointerTo('bodies', edit.addBody([last, point]));
+        });
+    }
+}
+export class PlateTool extends Tool {
+    static tool = 'plate';
+    static key = 'b';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target, 'A', this.picked[this.picked.length - 1]);
+            if (!this.picked.includes(point)) {
+                this.picked.push(point);
+                return pointerTo('points', point);
+            }
+            const points = this.picked;
+            this.cancel();
+            return points.length > 1 ? pointerTo('bodies', edit.addBody(points)) : undefined;
+        });
+    }
+}
+export class GroundTool extends Tool {
+    static tool = 'ground';
+    static key = 'g';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target, 'O');
+            edit.addGround(point);
+            return pointerTo('points', point);
+        });
+    }
+}
+/** A slider at a point, then the direction of its guide. */
+export class SliderTool extends Tool {
+    static tool = 'slider';
+    static key = 's';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const [first] = this.picked;
+            if (!first) {
+                this.begin(pointAt(edit, target));
+                return pointerTo('points', this.picked[0]);
+            }
+            this.cancel();
+            if (!edit.model.point(first)) return null;
+            const turned = distance(edit.spots[first], target.at) === 0 ? 0 : angle(edit.spots[first], target.at);
+            edit.addSlider(first, target.point && target.point !== first ? [first, target.point] : rounded(Math.round(turned / 5) * 5));
+            return pointerTo('joints', edit.model.joints.length - 1);
+        });
+    }
+}
+/** A pin, then a point of the body with the slot. */
+export class SlotTool extends Tool {
+    static tool = 'slot';
+    static key = 'o';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target), [first] = this.picked;
+            if (!first || first === point || !edit.model.point(first)) {
+                this.begin(point);
+                return pointerTo('points', point);
+            }
+            this.cancel();
+            const moving = (/** @type {string} */ at) => edit.model.bodiesAt(at).filter((each) => each !== edit.model.frame);
+            const body = moving(first)[0] ?? edit.addBody([first]);
+            const slotted = moving(point).find((each) => each !== body) ?? edit.addBody([point]);
+            edit.addSlot(first, body, slotted, point);
+            return pointerTo('joints', edit.model.joints.length - 1);
+        });
+    }
+}
+/** The centres of two wheels, which touch half way between them. */
+export class GearTool extends Tool {
+    static tool = 'gear';
+    static key = 'e';
+    /** @type {'gear' | 'rolling'} */
+    static kind = 'gear';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target, 'O'), [first] = this.picked;
+            if (!first || first === point || !edit.model.point(first)) {
+                this.begin(point);
+                return pointerTo('points', point);
+            }
+            this.cancel();
+            const bodies = [first, point].map((each) => {
+                const there = edit.model.bodiesAt(each).find((body) => body !== edit.model.frame);
+                return there ?? edit.addBody([each]);
+            });
+            const [a, b] = [edit.spots[first], edit.spots[point]];
+            const contact = edit.addPoint({from: first, to: point, ratio: 0.5}, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], 'P');
+            edit.addWheels(/** @type {typeof GearTool} */ (this.constructor).kind, bodies, [first, point], contact);
+            return pointerTo('points', contact);
+        });
+    }
+}
+export class RollingTool extends GearTool {
+    static tool = 'rolling';
+    static key = 'r';
+    /** @type {'gear' | 'rolling'} */
+    static kind = 'rolling';
+}
+/**
+ * The body that is meant: that of the bar, or of the point.
+ * @param {Bench} bench
+ * @param {Target} target
+ */
+function bodyAt(bench, target) {
+    const {model} = bench, moving = (/** @type {string} */ point) => model.bodiesAt(point).filter((each) => each !== model.frame);
+    return target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ?? '';
+}
+export class DriverTool extends Tool {
+    static tool = 'driver';
+    static key = 'd';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const slide = edit.model.joints.find((each) => each.kind === 'prismatic' && each.point === target.point);
+            const body = bodyAt(this.bench, target);
+            if (slide) edit.addSlideDriver(slide.name);
+            else if (body) edit.addDriver(body);
+            else return undefined;
+            return pointerTo('drivers', edit.model.drivers.length - 1);
+        });
+    }
+}
+export class WeightTool extends Tool {
+    static tool = 'weight';
+    static key = 'w';
+    /** @param {Target} target */
+    pick(target) {
+        const body = bodyAt(this.bench, target);
+        if (!body) return;
+        this.edit((edit) => {
+            const centre = target.bar ? pointAt(edit, target, 'G') : target.point || pointAt(edit, target, 'G');
+            edit.addWeight(body, centre);
+            return pointerTo('masses', body);
+        });
+    }
+}
+/** The point where a force acts, then where it comes from or goes to. */
+export class LoadTool extends Tool {
+    static tool = 'load';
+    static key = 'f';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const [first] = this.picked;
+            if (!first || !edit.model.point(first)) {
+                this.begin(pointAt(edit, target));
+                return pointerTo('points', this.picked[0]);
+            }
+            this.cancel();
+            const bodies = edit.model.bodiesAt(first), moving = bodies.filter((each) => each !== edit.model.frame);
+            if (moving.length === 0) return pointerTo('points', first);
+            const at = edit.spots[first], turned = distance(at, target.at) === 0 ? -90 : angle(at, target.at);
+            edit.addForce(first, bodies.length > 1 && edit.model.hingeAt(first) ? '' : moving[0], 100, rounded(Math.round(turned / 5) * 5));
+            return pointerTo('loads', edit.model.loads.length - 1);
+        });
+    }
+}
+/** The two points that a spring joins. */
+export class SpringTool extends Tool {
+    static tool = 'spring';
+    static key = 'k';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target), [first] = this.picked;
+            if (!first || first === point || !edit.model.point(first)) {
+                this.begin(point);
+                return pointerTo('points', point);
+            }
+            this.cancel();
+            const [a, b] = [edit.model.bodiesAt(first), edit.model.bodiesAt(point)];
+            const pair = a.flatMap((one) => b.map((other) => [one, other])).find(([one, other]) => one !== other);
+            if (!pair) return pointerTo('points', point);
+            edit.addSpring([first, point], pair, 0.8 * distance(edit.spots[first], edit.spots[point]));
+            return pointerTo('loads', edit.model.loads.length - 1);
+        });
+    }
+}
+
+export const tools = [SelectTool, PointTool, LinkTool, PlateTool, GroundTool, SliderTool, SlotTool, GearTool, RollingTool, DriverTool,
+    WeightTool, LoadTool, SpringTool];
