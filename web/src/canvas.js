@@ -2,6 +2,7 @@
 import {svg} from './dom.js';
 import {Model} from './model.js';
 import {distance} from './placing.js';
+import {bars} from './snap.js';
 import * as symbols from './symbols.js';
 
 /**
@@ -151,9 +152,39 @@ export class Canvas {
             const at = this.spot(name), joint = model.joints.some((each) => each.point === name && each.kind !== 'weld');
             if (!at) continue;
             this.add('joints', Model.pointer(['points', name]), joint ? 'joint' : 'free', joint ? symbols.pin(at) : symbols.dot(at));
-            const isLow = model.isGround(name);
-            this.add('labels', Model.pointer(['points', name]), 'name', symbols.label([at[0] + (isLow ? 14 : 10), at[1] + (isLow ? 4 : -10)], name, 'of-point'));
+            const turned = this.freeWay(name, at);
+            this.add('labels', Model.pointer(['points', name]), 'name',
+                symbols.label([at[0] + 21 * Math.cos(turned), at[1] + 19 * Math.sin(turned) + 6], name, 'of-point'));
         }
+    }
+    /**
+     * The directions in which something is drawn at a point, radians on the screen.
+     * @param {string} point
+     * @param {Spot} at
+     */
+    waysTaken(point, at) {
+        const {model, spots} = /** @type {Scene} */ (this.scene), taken = [];
+        for (const {name} of model.movingBodies) {
+            for (const bar of bars(model, name, spots)) {
+                if (!bar.includes(point)) continue;
+                const [x, y] = this.spot(bar[0] === point ? bar[1] : bar[0]) ?? at;
+                taken.push(Math.atan2(y - at[1], x - at[0]));
+            }
+        }
+        if (model.isGround(point)) taken.push(Math.PI / 2 - 0.4, Math.PI / 2, Math.PI / 2 + 0.4);
+        for (const joint of model.joints)
+            if (joint.point === point && joint.kind === 'prismatic') taken.push(Math.PI / 2, 0, Math.PI);
+        return taken;
+    }
+    /**
+     * The direction from a point in which there is most room, up rather than down.
+     * @param {string} point
+     * @param {Spot} at
+     */
+    freeWay(point, at) {
+        const taken = this.waysTaken(point, at), ways = [-1, -2, -3, 0, -4, 1, 3, 2].map((each) => (each * Math.PI) / 4);
+        const room = (/** @type {number} */ way) => Math.min(2, ...taken.map((each) => gap(way, each)));
+        return ways.reduce((best, each) => (room(each) > room(best) + 0.1 ? each : best), ways[0]);
     }
     drawDrivers() {
         const {model} = /** @type {Scene} */ (this.scene);
@@ -165,7 +196,9 @@ export class Canvas {
                 continue;
             }
             const pivot = model.pointsOf(body).find((each) => model.isGround(each)) ?? model.pointsOf(body)[0], at = this.spot(form.at ?? pivot ?? '');
-            if (at) this.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0));
+            const tip = this.spot(model.pointsOf(body).find((each) => each !== pivot) ?? '');
+            const beside = at && tip ? Math.atan2(tip[1] - at[1], tip[0] - at[0]) : -1;
+            if (at) this.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0, beside));
         }
     }
     /**
@@ -205,9 +238,13 @@ export class Canvas {
      */
     drawForce(form, pointer, at) {
         const turned = this.turned(pointer, form.along), length = 62, sign = parseFloat(form.magnitude) < 0 ? -1 : 1;
-        const tail = /** @type {Spot} */ ([at[0] - sign * length * Math.cos(turned), at[1] - sign * length * Math.sin(turned)]);
-        const tip = /** @type {Spot} */ ([at[0] - sign * 9 * Math.cos(turned), at[1] - sign * 9 * Math.sin(turned)]);
-        this.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([tail[0] + 8, tail[1] + 4], String(form.force), 'of-load'));
+        const point = form.at ?? form.pin ?? '', taken = this.waysTaken(String(point), at), heads = turned + (sign < 0 ? Math.PI : 0);
+        const room = (/** @type {number} */ way) => Math.min(3, ...taken.map((each) => gap(way, each)));
+        // The arrow ends at the point, or begins there where bars are in the way.
+        const isPull = room(heads + Math.PI) < 0.4 && room(heads) > 0.4;
+        const along = (/** @type {number} */ away) => /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
+        const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)], end = isPull ? along(length + 6) : along(-length - 6);
+        this.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load'));
     }
     /**
      * @param {any} form
@@ -241,6 +278,15 @@ export class Canvas {
     }
 }
 
+/**
+ * The angle between two directions.
+ * @param {number} a
+ * @param {number} b
+ */
+function gap(a, b) {
+    const turned = Math.abs(a - b) % (2 * Math.PI);
+    return Math.min(turned, 2 * Math.PI - turned);
+}
 /** @param {Spot[]} at */
 function isStraight(at) {
     const [a, b] = ends(at), length = distance(a, b) || 1;

@@ -1,8 +1,9 @@
 // What can be done to a mechanism, each as a change of the file's text: add points, links, joints, drivers and loads.
-import {JsonText, Literal} from './json_text.js';
+import {Literal} from './json_text.js';
 import {Model} from './model.js';
 
 /**
+ * @typedef {import('./json_text.js').JsonText} JsonText
  * @typedef {import('./json_text.js').Path} Path
  * @typedef {[number, number]} Spot coordinates in the file's unit of length
  * @typedef {Record<string, Spot>} Spots

@@ -31,7 +31,7 @@ export class Inspector {
         const parts = list === 'points' ? this.ofPoint(name, form) : list === 'bodies' ? bodyFields(bench, name) :
             list === 'joints' ? jointFields(bench, Number(key)) : list === 'drivers' ? driverFields(bench, path, form) :
                 list === 'loads' ? loadFields(bench, path, form) : list === 'masses' ? massFields(bench, name) : [];
-        const remove = button(word('delete'), () => deleteSelected(bench), 'delete');
+        const remove = button(word('remove'), () => deleteSelected(bench), 'delete');
         remove.classList.add('danger');
         return [...parts, html('div', {class: 'acts'}, remove)];
     }
@@ -88,8 +88,8 @@ export class Inspector {
         const rows = [heading(word('mechanism')), fileField(bench, word('title'), ofTitle, {id: 'title', text: true}),
             choice(word('unit_of_length'), model.unit, ['mm', 'cm', 'm', 'in', 'ft'].map((each) => [each, each]),
                 (value) => bench.edit((edit) => edit.set(['units', 'length'], value)), 'unit')];
-        if (answer?.counts && model.hasJoints) rows.push(told(word('bodies_joints'), `${answer.counts.bodies} · ${answer.counts.joints}`));
-        if (answer?.mobility) rows.push(freedom(bench, answer.mobility.effective, answer.counts?.drivers ?? 0));
+        if (answer?.counts && model.movingBodies.length > 0) rows.push(told(word('bodies_joints'), `${answer.counts.bodies} · ${answer.counts.joints}`));
+        if (answer?.mobility && model.movingBodies.length > 0) rows.push(freedom(bench, answer.mobility.effective, answer.counts?.drivers ?? 0));
         if (model.file.gravity) rows.push(fileField(bench, word('gravity'), ['gravity'], {id: 'gravity', optional: true}));
         rows.push(...this.parameters(), ...this.values(), ...this.list());
         return rows;

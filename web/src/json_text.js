@@ -7,7 +7,7 @@
  * @typedef {(string | number)[]} Path
  */
 
-const deepest = 64;
+const deepest = 64, longestNumber = 2048;
 
 /** A text that is no JSON; `at`: the offset of the fault. */
 export class NotJson extends Error {
@@ -46,6 +46,12 @@ class Reader {
     expect(sign) {
         if (!this.takes(sign)) throw new NotJson(this.at);
     }
+    /** To the end of a string; what stands in it JSON.parse checks. */
+    skipString() {
+        const {text} = this;
+        for (++this.at; this.at < text.length && text[this.at] !== '"'; ++this.at) if (text[this.at] === '\\') ++this.at;
+        ++this.at;
+    }
     /**
      * @param {number} depth
      * @returns {Node}
@@ -57,12 +63,14 @@ class Reader {
         if (sign === '{') return this.object(depth);
         if (sign === '[') return this.array(depth);
         const start = this.at;
-        const match = /^(?:"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)/
-            .exec(this.text.slice(start, sign === '"' ? undefined : start + 2048));
-        if (!match) throw new NotJson(start);
-        this.at += match[0].length;
+        if (sign === '"') this.skipString();
+        else this.at += /^(?:-?\d[\d.eE+-]*|true|false|null)/.exec(this.text.slice(start, start + longestNumber))?.[0].length ?? 0;
         const kind = sign === '"' ? 'string' : /[-\d]/.test(sign) ? 'number' : 'word';
-        return {kind, start, end: this.at, members: [], items: [], value: JSON.parse(match[0])};
+        try {
+            return {kind, start, end: this.at, members: [], items: [], value: JSON.parse(this.text.slice(start, this.at))};
+        } catch {
+            throw new NotJson(start);
+        }
     }
     /**
      * @param {number} depth

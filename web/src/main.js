@@ -47,6 +47,8 @@ function drawWhenChanged(bench, root) {
     bench.on(['cursor', 'tool'], () => ask(false));
     new ResizeObserver(([{contentRect}]) => {
         const {view} = bench, isFirst = view.width <= 1;
+        // While another mode is shown the canvas has no size.
+        if (contentRect.width === 0) return;
         Object.assign(view, {width: contentRect.width, height: contentRect.height});
         if (isFirst) bench.isToFit = true;
         ask(true);

@@ -1,8 +1,9 @@
 // What the text says, as lists that are drawn and edited. It takes any JSON: what is not as it should be is left out, and the
 // engine says so.
-import {JsonText, plain} from './json_text.js';
+import {plain} from './json_text.js';
 
 /**
+ * @typedef {import('./json_text.js').JsonText} JsonText
  * @typedef {import('./json_text.js').Path} Path
  * @typedef {{name: string, form: any, path: Path}} PointItem
  * @typedef {{name: string, points: string[], listPath: Path, path: Path, circle: {centre: string} | null, isFrame: boolean}} BodyItem

@@ -80,8 +80,11 @@ export class Modes {
         await new Promise((resolve) => frame.addEventListener('load', resolve, {once: true}));
         this.liveFrame = frame;
         const inside = frame.contentDocument;
-        for (const id of ['modes', 'hall']) inside?.getElementById(id)?.setAttribute('hidden', '');
+        inside?.getElementById('modes')?.setAttribute('hidden', '');
         inside?.querySelectorAll('h1').forEach((each) => each.setAttribute('hidden', ''));
+        // What is left of its bar, the hall and the menu, stands on the right.
+        const hall = inside?.getElementById('hall');
+        if (hall) hall.style.marginLeft = 'auto';
     }
     /** @param {string} mode */
     showTab(mode) {

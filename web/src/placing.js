@@ -1,8 +1,11 @@
 // How a point is placed: lengths and angles that are typed become the forms of the file (from, meet), on the same side as drawn.
 import {Literal} from './json_text.js';
-import {Edit, rounded, roundedSpot} from './edit.js';
+import {rounded, roundedSpot} from './edit.js';
 
-/** @typedef {import('./edit.js').Spot} Spot */
+/**
+ * @typedef {import('./edit.js').Edit} Edit
+ * @typedef {import('./edit.js').Spot} Spot
+ */
 
 /**
  * @param {Spot} from

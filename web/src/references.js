@@ -1,8 +1,9 @@
 // Who names whom in a file: renaming changes every name, deleting takes away what cannot stand alone.
-import {Edit, bodyValue, roundedSpot} from './edit.js';
+import {bodyValue, roundedSpot} from './edit.js';
 import {Model} from './model.js';
 
 /**
+ * @typedef {import('./edit.js').Edit} Edit
  * @typedef {import('./json_text.js').Path} Path
  * @typedef {import('./json_text.js').Node} Node
  */
@@ -53,7 +54,7 @@ export function places(edit, kind, name) {
  */
 export function isFree(edit, kind, name) {
     const taken = kind === 'point' ? edit.model.points : edit.model.bodies;
-    return name !== '' && !/[,\u0000-\u001f]| on /.test(name) && !taken.some((each) => each.name === name) &&
+    return name !== '' && !/[,\p{Cc}]| on /u.test(name) && !taken.some((each) => each.name === name) &&
         !(kind === 'body' && name === edit.model.frame);
 }
 /**

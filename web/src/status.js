@@ -19,7 +19,7 @@ export class Status {
         if (!answer) return;
         const faults = answer.failure ? 1 : answer.faults.length, first = answer.failure ?? answer.faults[0]?.text ?? '';
         const unsolved = answer.unsolved.length;
-        let [look, says] = ['', word('drawing')];
+        let [look, says] = ['', ''];
         if (answer.failure) [look, says] = ['bad', word('engine_lost')];
         else if (faults > 0) [look, says] = ['bad', `${faults > 1 ? word('faults', faults) : word('one_fault')} ${first}`];
         else if (answer.values && unsolved > 0) [look, says] = ['open', `${word('not_determined')} ${answer.unsolved[0].what}: ${answer.unsolved[0].why}`];

@@ -83,15 +83,17 @@ export function arrow(from, to, kind) {
     return svg('g', {class: `arrow ${kind}`}, svg('path', {d: through([from, to])}), svg('path', {class: 'head', d: `M${to[0]} ${to[1]}L${wing(0.3)}L${wing(-0.3)}Z`}));
 }
 /**
- * The sense of a driver about a pivot: counter-clockwise where positive.
+ * The sense of a driver about a pivot, beside its bar: counter-clockwise where positive.
  * @param {Spot} at
  * @param {boolean} isPositive
+ * @param {number} beside the direction of the bar on the screen, radians
  */
-export function spin([x, y], isPositive) {
-    const sign = isPositive ? 1 : -1, radius = 24, end = /** @type {Spot} */ ([x + sign * -radius * 0.5, y - radius * 0.87]);
-    const tip = `M${end[0]} ${end[1]}l${sign * 9} -5l${sign * 1} 10z`;
-    return svg('g', {class: 'arrow driver'}, svg('path', {d: `M${x + sign * radius * 0.87} ${y - radius * 0.5}A${radius} ${radius} 0 0 ${isPositive ? 0 : 1} ${end[0]} ${end[1]}`}),
-        svg('path', {class: 'head', d: tip}));
+export function spin([x, y], isPositive, beside = -1) {
+    const radius = 34, sign = isPositive ? -1 : 1;
+    const spot = (/** @type {number} */ turned, away = radius) => `${(x + away * Math.cos(turned)).toFixed(1)} ${(y + away * Math.sin(turned)).toFixed(1)}`;
+    const start = beside + sign * 0.4, end = beside + sign * 1.4;
+    return svg('g', {class: 'arrow driver'}, svg('path', {d: `M${spot(start)}A${radius} ${radius} 0 0 ${isPositive ? 0 : 1} ${spot(end)}`}),
+        svg('path', {class: 'head', d: `M${spot(end + sign * 0.28)}L${spot(end, radius - 5.5)}L${spot(end, radius + 5.5)}Z`}));
 }
 /**
  * @param {Spot} from

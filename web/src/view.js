@@ -59,9 +59,9 @@ export class View {
         this.left = (left + right) / 2 - this.width / 2 / this.scale;
         this.top = (bottom + top) / 2 + this.height / 2 / this.scale;
     }
-    /** The grid: 1, 2 or 5 of a power of ten, some twenty pixels. */
+    /** The grid: 1, 2 or 5 of a power of ten, some twelve to thirty pixels. */
     get grid() {
-        const least = 18 / this.scale, power = 10 ** Math.floor(Math.log10(least));
+        const least = 11 / this.scale, power = 10 ** Math.floor(Math.log10(least));
         return power * (least / power <= 1 ? 1 : least / power <= 2 ? 2 : least / power <= 5 ? 5 : 10);
     }
 }

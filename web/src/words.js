@@ -25,5 +25,6 @@ export function dress(root) {
         const text = word(/** @type {HTMLElement} */ (each).dataset.label ?? '');
         each.setAttribute('aria-label', text);
         if (each.matches('button')) each.setAttribute('title', text);
+        if (each.matches('input')) each.setAttribute('placeholder', text);
     }
 }

@@ -1,0 +1,355 @@
+// The workbench in Chromium: mechanisms are built by mouse, by keyboard alone and by touch; what is saved is what was drawn.
+// node workbench_test.mjs PROGRAM EXAMPLES
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {after, before, beforeEach, test} from 'node:test';
+import {deflateRawSync} from 'node:zlib';
+import {close, messages, open, page, protocol, run} from './browser.mjs';
+import {cleanUp, clickAt, crossTo, dragFromTo, file, fill, folder, onScreen, ready, serve, settled, text, tool} from './workbench.mjs';
+
+const [program, examples] = process.argv.slice(2);
+const path = join(folder, 'drawn.json'), exampleText = (name) => readFileSync(join(examples, name), 'utf8');
+const axe = createRequire(import.meta.url).resolve('axe-core');
+let address;
+
+before(async () => ({address} = await serve(program, path)));
+after(async () => {
+    await close();
+    cleanUp();
+});
+beforeEach(() => rmSync(path, {force: true}));
+async function begin(size) {
+    page.removeAllListeners('dialog');
+    page.on('dialog', (dialog) => dialog.accept());
+    await open('about:blank');
+    await open(address, size);
+    await ready();
+    await settled();
+}
+const save = async () => {
+    await page.keyboard.press('Control+s');
+    await page.waitForFunction('!workbench.document.isChanged');
+};
+const solved = (name) => JSON.parse(execFileSync(program, ['solve', name, '--format', 'json', '-o', '-'], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
+/** The results of two files whose points and bodies have other names but the same order. */
+function assertSameMotion(one, other) {
+    const near = (a, b, what) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${what}: ${a} instead of ${b}`);
+    for (const key of ['points', 'bodies']) {
+        const [left, right] = [one, other].map((each) => Object.entries(each[key]));
+        assert.equal(left.length, right.length);
+        for (const [name, values] of left)
+            for (const [what, value] of Object.entries(values)) [value].flat().forEach((each, i) => near(each, [other[key][name][what]].flat()[i], `${name} ${what}`));
+    }
+}
+
+test('the four-bar of the README is built by mouse, and saved solves to the same results', async () => {
+    await begin();
+    await tool('link');
+    await clickAt([0, 0]);
+    await clickAt([20, 30]);
+    await clickAt([160, 80]);
+    await clickAt([150, 0]);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([0, 0]);
+    await clickAt([150, 0]);
+    await tool('driver');
+    await clickAt([10, 15]);
+    await settled();
+    await fill('omega', '-120 rpm');
+    // Names and lengths, in the panel.
+    await tool('select');
+    for (const [at, name] of [[[0, 0], 'O2'], [[150, 0], 'O4'], [[20, 30], 'A'], [[160, 80], 'B']]) {
+        await clickAt(at);
+        await fill('name', name);
+    }
+    const middle = ([a, b], [c, d]) => [(a + c) / 2, (b + d) / 2];
+    await clickAt(middle([0, 0], [20, 30]));
+    await fill('length-O2-A', '40');
+    await fill('angle-O2-A', '60');
+    const spots = () => run('workbench.spots');
+    await clickAt(middle((await spots()).A, (await spots()).B));
+    await fill('length-A-B', '150');
+    await clickAt(middle((await spots()).O4, (await spots()).B));
+    await fill('length-B-O4', '80');
+    const built = await file();
+    assert.deepEqual(built.points.A, {from: 'O2', distance: 40, angle: 60});
+    assert.deepEqual(built.points.B, {meet: [{circle: 'A', radius: 150}, {circle: 'O4', radius: 80}], side: 'left'});
+    assert.match(await page.locator('#status').textContent(), /^✓ solved in \d+ ms, check agrees/);
+    assert.equal(await page.locator('#figures figure').count(), 2);
+    await save();
+    assert.equal(readFileSync(path, 'utf8'), await text());
+    assertSameMotion(solved(path), solved(join(examples, 'four_bar.json')));
+    assert.deepEqual(messages, []);
+});
+
+test('a four-bar is built by keyboard alone', async () => {
+    await begin();
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('l');
+    for (const place of ['0, 0', '40 < 60']) {
+        await page.keyboard.type(place);
+        await page.keyboard.press('Enter');
+    }
+    await crossTo([100, 70]);
+    await page.keyboard.press('Enter');
+    await crossTo([110, 0]);
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('g');
+    await page.keyboard.press('Enter');
+    await crossTo([0, 0]);
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('d');
+    await crossTo([0, 0]);
+    await page.keyboard.press('Enter');
+    await settled();
+    const built = await file();
+    assert.deepEqual(Object.values(built.points)[1], {from: Object.keys(built.points)[0], distance: 40, angle: 60});
+    assert.equal(Object.keys(built.bodies).length, 3);
+    assert.equal(built.joints.length, 4);
+    assert.equal((await run('workbench.answer.mobility')).effective, 1);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    // The selected point moves by the grid; Delete removes it and what hangs on it.
+    await page.keyboard.press('v');
+    await crossTo([100, 70]);
+    await page.keyboard.press('Enter');
+    const before_ = await run('workbench.spots'), name = (await run('workbench.selection')).split('/')[2], grid = await run('workbench.view.grid');
+    await page.keyboard.press('ArrowRight');
+    await settled();
+    assert.ok(Math.abs((await run('workbench.spots'))[name][0] - before_[name][0] - grid) < 1e-9);
+    await page.keyboard.press('Delete');
+    assert.equal(Object.keys((await file()).bodies).length, 1);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await file(), built);
+    await page.keyboard.press('Control+y');
+    await page.keyboard.press('Control+y');
+    assert.equal(Object.keys((await file()).bodies).length, 1);
+    assert.deepEqual(messages, []);
+});
+
+test('a slider-crank with a weight and a force is built by mouse', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[-80, 0], [-50, 40], [70, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([-80, 0]);
+    await tool('slider');
+    await clickAt([70, 0]);
+    await clickAt([110, 0]);
+    await tool('driver');
+    await clickAt([-65, 20]);
+    await tool('weight');
+    await clickAt([10, 20]);
+    await tool('load');
+    await dragFromTo([70, 0], [20, 0]);
+    await tool('select');
+    await settled();
+    const built = await file(), [first, second, third] = Object.keys(built.points);
+    assert.deepEqual(built.joints[built.joints.length - 1], {prismatic: third, bodies: [4, 1], along: 0});
+    assert.equal(built.masses['3'].mass, 1);
+    assert.deepEqual(built.loads, [{force: 'F1', pin: third, magnitude: 100, along: 180}]);
+    assert.equal(built.points[built.masses['3'].centre].from, second);
+    // What balances is asked for at the driver.
+    await page.getByRole('button', {name: 'Driver of 2'}).click();
+    await page.getByLabel('Find what balances the loads here').check();
+    await settled();
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    // The length of the rod keeps the slider on its guide.
+    await page.keyboard.press('Escape');
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', {name: 'Link 3'}).click();
+    await fill(`length-${second}-${third}`, '140');
+    const {meet} = (await file()).points[third];
+    assert.deepEqual(meet, [{circle: second, radius: 140}, {line: [70, 0], angle: 0}]);
+    assert.deepEqual((await run('workbench.answer')).faults, []);
+    assert.ok(first);
+    assert.deepEqual(messages, []);
+});
+
+test('a truss is built by mouse, and its bars have their forces', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[-80, 0], [-30, 60], [30, 60], [80, 0], [0, 0], [-80, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await dragFromTo([0, 0], [-30, 60]);
+    await dragFromTo([0, 0], [30, 60]);
+    await tool('ground');
+    await clickAt([-80, 0]);
+    await tool('slider');
+    await clickAt([80, 0]);
+    await clickAt([80, 0]);
+    await tool('load');
+    await clickAt([0, 0]);
+    await clickAt([0, -50]);
+    await settled();
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    const values = Object.fromEntries((await run('workbench.answer.values')).map(({name, value}) => [name, value]));
+    const [a, b, c, d, e] = Object.keys((await file()).points), bar = (one, other) => values[`bar ${one}${other}`];
+    // By hand: 50 N in each support; the slanting bars rise 60 over 50 and 60 over 30.
+    const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-9, `${value} ${wanted}`);
+    near(bar(a, b), -50 * Math.hypot(50, 60) / 60);
+    near(bar(a, e), 50 * 50 / 60);
+    near(bar(b, e), 50 * Math.hypot(30, 60) / 60);
+    near(bar(b, c), -(50 * 50 / 60 + 50 * 30 / 60));
+    near(bar(c, d), bar(a, b));
+    assert.deepEqual(messages, []);
+});
+
+test('by touch: points are placed, two fingers zoom', async () => {
+    await begin({width: 390, height: 844});
+    await page.locator('[data-tool=link]').tap();
+    for (const at of [[-80, 0], [0, 60], [80, 0]]) await page.touchscreen.tap(...await onScreen(at));
+    assert.equal(Object.keys((await file()).bodies).length, 2);
+    const scale = await run('workbench.view.scale'), [x, y] = await onScreen([0, 0]);
+    const touch = (type, gap) => protocol.send('Input.dispatchTouchEvent', {type, touchPoints: type === 'touchEnd' ? [] :
+        [{x: x - gap, y, id: 1}, {x: x + gap, y, id: 2}]});
+    await touch('touchStart', 30);
+    for (const gap of [40, 50, 60]) await touch('touchMove', gap);
+    await touch('touchEnd', 0);
+    assert.ok(await run('workbench.view.scale') > 1.5 * scale);
+    assert.equal(Object.keys((await file()).bodies).length, 2);
+    assert.deepEqual(messages, []);
+});
+
+test('the text is the mechanism, both ways, and a fault stands at its place', async () => {
+    await begin();
+    await page.locator('#tab-file').click();
+    const good = exampleText('four_bar.json'), area = page.locator('#text');
+    await area.fill(good);
+    await settled();
+    assert.equal(await page.locator('[data-of="/points/B"]').count() > 0, true);
+    const broken = good.replace('"radius": 80', '"radius": 8');
+    await area.fill(broken);
+    await settled();
+    const fault = page.locator('#faults button');
+    assert.match(await fault.textContent(), /^Line \d+ \/points\/B.*do not meet/);
+    const line = broken.slice(0, broken.indexOf('"B":')).split('\n').length;
+    assert.equal(await page.locator('#lines .faulty').textContent(), String(line));
+    assert.match(await page.locator('#status').textContent(), /^Fault: /);
+    await fault.click();
+    assert.match(await area.evaluate((each) => each.value.slice(each.selectionStart, each.selectionEnd)), /^"B":/);
+    await area.fill(broken.slice(0, 100));
+    await settled();
+    assert.match(await fault.textContent(), /JSON/);
+    // What was drawn last stays while the text is broken.
+    assert.equal(await page.locator('[data-of="/points/O2"]').count() > 0, true);
+    await area.fill('<img src=x onerror=alert(1)>'.repeat(3));
+    await settled();
+    assert.equal(await page.locator('#faults img').count(), 0);
+    // An edit on the canvas changes its own text alone.
+    await area.fill(good);
+    await settled();
+    await tool('select');
+    await dragFromTo([150, 0], [160, 0]);
+    await settled();
+    const from = await text();
+    assert.match(from, /"O4": \[1[56]\d(\.\d+)?, (0|-?\d+(\.\d+)?)\]/);
+    assert.equal(from.replace(/"O4": \[[^\]]*\]/, '"O4": [150, 0]'), good);
+    assert.deepEqual(messages, []);
+});
+
+test('a file that was changed elsewhere is not written over unasked', async () => {
+    writeFileSync(path, exampleText('four_bar.json'));
+    await begin();
+    assert.equal(await text(), exampleText('four_bar.json'));
+    const elsewhere = exampleText('slider_crank.json');
+    await page.locator('#title').fill('Mine');
+    await page.keyboard.press('Enter');
+    writeFileSync(path, elsewhere);
+    await page.keyboard.press('Control+s');
+    await page.locator('#question').waitFor();
+    await page.getByRole('button', {name: 'Cancel'}).click();
+    assert.equal(readFileSync(path, 'utf8'), elsewhere);
+    await page.keyboard.press('Control+s');
+    await page.locator('#question-yes').click();
+    await page.waitForFunction('!workbench.document.isChanged');
+    assert.equal(readFileSync(path, 'utf8'), await text());
+    assert.equal(JSON.parse(readFileSync(path, 'utf8')).title.en, 'Mine');
+});
+
+test('every example opens, shows no word of the page, and is unchanged when saved', async () => {
+    await begin();
+    const all = readdirSync(examples, {recursive: true}).filter((each) => each.endsWith('.json') && statSync(join(examples, each)).isFile())
+        .filter((each) => 'kinegraph' in JSON.parse(exampleText(each)));
+    assert.ok(all.length > 80);
+    const listed = (await run(`fetch('examples.json').then((each) => each.json())`)).map((each) => each.path);
+    assert.deepEqual(listed.sort(), all.map((each) => `examples/${each}`).sort());
+    for (const each of all) {
+        const given = exampleText(each);
+        await page.evaluate(([given_, name]) => window.workbench.open(given_, name, given_), [given, each]);
+        await settled();
+        assert.equal(await text(), given, each);
+        const {faults, failure} = await run('workbench.answer');
+        assert.equal(failure, undefined);
+        // The file of a cam is for another command.
+        if (!('cam' in JSON.parse(given))) assert.deepEqual(faults, [], each);
+        const points = Object.keys(JSON.parse(given).points ?? {});
+        if (points.length > 0) assert.equal(await page.evaluate((name) => document.querySelectorAll(`[data-of="/points/${CSS.escape(name)}"]`).length > 0, points[0]), true, each);
+    }
+    assert.deepEqual(messages, []);
+});
+
+test('a link opens what it holds; a hostile one is said and does no harm', async () => {
+    const linkOf = (content) => `#m=${deflateRawSync(content).toString('base64url')}`;
+    const visit = async (fragment) => {
+        await open('about:blank');
+        await open(address + fragment);
+        await ready();
+    };
+    await visit(linkOf(exampleText('slider_crank.json')));
+    assert.equal(await text(), exampleText('slider_crank.json'));
+    const bad = [linkOf(' '.repeat(5e7)), '#m=AAAA', '#m=not~deflate', `#m=${'A'.repeat(600000)}`, linkOf(Buffer.from([0xff, 0xfe, 0xfd]))];
+    for (const each of bad) {
+        await visit(each);
+        assert.match(await page.locator('#notice').textContent(), /holds no mechanism/);
+        assert.equal(JSON.parse(await text()).title, 'Untitled mechanism');
+    }
+    for (const each of ['['.repeat(300000), '{"points": {"<b>": [0, 0]}, "title": "</script><script>alert(1)</script>"}', '{"__proto__": {"a": 1}, "points": {"__proto__": [0, 0]}}', '[]', '1']) {
+        await visit(linkOf(each));
+        await settled();
+        assert.equal(await text(), each);
+        assert.equal(await run('({}).a'), undefined);
+    }
+    assert.deepEqual(messages, []);
+});
+
+test('the modes show the solution: the live page in its tabs, the sheet as the program draws it', async () => {
+    writeFileSync(path, exampleText('four_bar.json'));
+    await begin();
+    for (const mode of ['move', 'steps', 'try']) {
+        await page.locator(`#go-${mode}`).click();
+        const frame = page.frameLocator('#shown iframe');
+        await frame.locator(`html[data-mode=${mode}]`).waitFor();
+        assert.equal(await frame.locator('h1').first().isHidden(), true);
+    }
+    await page.locator('#go-sheet').click();
+    await page.locator('#shown img').first().waitFor();
+    const answer = await run(`workbench.engine.answer({text: workbench.document.text, name: 'four_bar.json', want: ['sheet', 'results', 'live'], options: {}})`);
+    const told = (...more) => execFileSync(program, ['solve', join(examples, 'four_bar.json'), '-o', '-', ...more], {encoding: 'utf8'});
+    assert.equal(answer.sheet[0], told('--format', 'svg'));
+    assert.equal(answer.results, told('--format', 'json'));
+    assert.equal(answer.live, told('--format', 'html'));
+    await page.locator('#go-build').click();
+    assert.equal(await page.locator('#canvas').isVisible(), true);
+    assert.deepEqual(messages, []);
+});
+
+test('axe finds nothing, in light and dark, wide and on a phone, in each panel', async () => {
+    writeFileSync(path, exampleText('four_bar_weights.json'));
+    for (const size of [{width: 1366, height: 768}, {width: 390, height: 844, dark: true}]) {
+        await begin(size);
+        await page.evaluate(readFileSync(axe, 'utf8'));
+        for (const act of ['#tab-properties', '#tab-file', '[data-tool=link]', '#more']) {
+            await page.locator(act).click();
+            const found = await run('axe.run(document, {resultTypes: ["violations"]})');
+            assert.deepEqual(found.violations.map(({id, nodes}) => [id, nodes.map(({html}) => html.slice(0, 120))]), [], act);
+        }
+    }
+});
