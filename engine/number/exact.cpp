@@ -35,6 +35,13 @@ private:
     mpfr_t value_;
 };
 
+/// (A long may have 32 bits only.)
+mpz_class integer(std::int64_t value) {
+    mpz_class whole = static_cast<long>(value >> 32);
+    whole <<= 32;
+    return whole + static_cast<unsigned long>(value & 0xffffffff);
+}
+
 mpz_class power_of_ten(unsigned long exponent) {
     mpz_class power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
@@ -45,7 +52,7 @@ mpz_class power_of_ten(unsigned long exponent) {
 
 Exact Exact::ratio(std::int64_t numerator, std::int64_t denominator) {
     KG_ASSERT(denominator != 0, "a ratio has a non-zero denominator");
-    return Exact(mpq_class(mpz_class(static_cast<long>(numerator)), mpz_class(static_cast<long>(denominator))));
+    return Exact(mpq_class(integer(numerator), integer(denominator)));
 }
 
 Exact Exact::power_of_two(int exponent) {

@@ -1,20 +1,14 @@
-// Typeface by HarfBuzz: shaping and unhinted outlines. Without fontconfig, so that every machine gives the same line.
+// Typeface by HarfBuzz: shaping and unhinted outlines.
 #include "render/text/typeface.hpp"
-#include "lang/keys/pages.hpp"
 
 #include <hb-ot.h>
 #include <hb.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace kinegraph::render {
 namespace {
-
-constexpr std::array<const char*, 4> file_names = {"STIXGeneral-Regular.otf", "STIXGeneral-Italic.otf",
-                                                   "STIXGeneral-Bold.otf", "STIXGeneral-BoldItalic.otf"};
-constexpr const char* debian_directory = "/usr/share/fonts/opentype/stix";
 
 struct Release {
     void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
@@ -107,8 +101,9 @@ private:
 
 class OpenTypeFace final : public Typeface {
 public:
-    OpenTypeFace(Owned<hb_blob_t> blob, hb_face_t* face)
-        : blob_(std::move(blob)),
+    OpenTypeFace(Owned<hb_blob_t> blob, hb_face_t* face, std::shared_ptr<const void> owner)
+        : owner_(std::move(owner)),
+          blob_(std::move(blob)),
           font_(hb_font_create(face)),  // its default scale is the face's units per em, so nothing is rounded
           unit_(1.0 / hb_face_get_upem(face)),
           glyphs_(hb_face_get_glyph_count(face)) {}
@@ -155,6 +150,7 @@ public:
     }
 
 private:
+    std::shared_ptr<const void> owner_;  // of the bytes
     Owned<hb_blob_t> blob_;
     Owned<hb_font_t> font_;
     double unit_;
@@ -166,21 +162,12 @@ private:
 
 }  // namespace
 
-tl::expected<Typefaces, Words> open_typefaces() {
-    const char* chosen = std::getenv("KINEGRAPH_FONT_DIR");
-    const std::string directory = chosen != nullptr && *chosen != '\0' ? chosen : debian_directory;
-    Typefaces opened;
-    for (std::size_t i = 0; i < opened.size(); ++i) {
-        const std::string path = directory + "/" + file_names[i];
-        Owned<hb_blob_t> blob(hb_blob_create_from_file_or_fail(path.c_str()));
-        const bool read = blob != nullptr;
-        const Owned<hb_face_t> face(read ? hb_face_create(blob.get(), 0) : nullptr);
-        if (!face || hb_face_get_glyph_count(face.get()) == 0)
-            return tl::unexpected(Words(lang::pages::install_the_debian_package_fonts_stix, path,
-                                        read ? Words(lang::pages::is_no_font) : Words(lang::pages::cannot_be_read)));
-        opened[i] = std::make_unique<OpenTypeFace>(std::move(blob), face.get());
-    }
-    return opened;
+std::unique_ptr<Typeface> typeface_of(std::string_view file, std::shared_ptr<const void> owner) {
+    Owned<hb_blob_t> blob(hb_blob_create(file.data(), static_cast<unsigned>(file.size()), HB_MEMORY_MODE_READONLY,
+                                         nullptr, nullptr));
+    const Owned<hb_face_t> face(hb_face_create(blob.get(), 0));
+    if (hb_face_get_glyph_count(face.get()) == 0) return nullptr;
+    return std::make_unique<OpenTypeFace>(std::move(blob), face.get(), std::move(owner));
 }
 
 }  // namespace kinegraph::render

@@ -63,6 +63,9 @@ protected:
 /// Regular, italic, bold, bold italic, in the order of Face.
 using Typefaces = std::array<std::unique_ptr<Typeface>, 4>;
 
+/// The typeface of an OpenType file's bytes, which live as long as their owner; none if they are no font.
+std::unique_ptr<Typeface> typeface_of(std::string_view file, std::shared_ptr<const void> owner);
+
 /// Opens the four faces of STIX General from $KINEGRAPH_FONT_DIR, or from Debian's location. Error: names the missing
 /// file and the Debian package (`fonts-stix`).
 tl::expected<Typefaces, Words> open_typefaces();
