@@ -4,6 +4,9 @@ if(PROJECT_IS_TOP_LEVEL)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
     endif()
     set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+    if(KINEGRAPH_WEB)
+        set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")  # emcc optimises the whole when it links
+    endif()
     set(CMAKE_CXX_EXTENSIONS OFF)
     set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
     find_program(KINEGRAPH_CCACHE ccache)
@@ -22,8 +25,10 @@ target_compile_options(kinegraph_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -ffp-contract=off                                 # the same results to the last bit on every processor
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=        # no absolute path in any output
-    -ffunction-sections -fdata-sections
-    -fno-semantic-interposition)                      # our functions cannot be replaced at load time
+    -ffunction-sections -fdata-sections)
+if(NOT KINEGRAPH_WEB)
+    target_compile_options(kinegraph_flags INTERFACE -fno-semantic-interposition)  # our functions are not replaced at load time
+endif()
 
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     add_compile_options(-fsized-deallocation)  # on by default in C++14, but an option in clang

@@ -60,9 +60,9 @@ const Section::Texts& Section::read(Language language) const {
             text = trimmed(line.substr(std::min(equals + 1, line.size())));
         }
         finish();
-        texts_.at(place) = std::move(into);  // whole, or not at all where memory lacks
+        texts_.at(place) = std::make_unique<const Texts>(std::move(into));
     });
-    return texts_.at(place);
+    return *texts_.at(place);
 }
 const std::string& Section::text(std::size_t index, Language language) const { return read(language).texts.at(index); }
 const std::string& Section::name(std::size_t index) const { return read(Language::en).names.at(index); }

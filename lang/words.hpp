@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
@@ -40,7 +41,7 @@ private:
 
     std::array<std::string_view, languages.size()> sources_;
     mutable std::array<std::once_flag, languages.size()> once_;
-    mutable std::array<Texts, languages.size()> texts_;
+    mutable std::array<std::unique_ptr<const Texts>, languages.size()> texts_;  // none until it is read
 };
 
 /// All sections, in the order of lang/en.txt.

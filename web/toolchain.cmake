@@ -12,7 +12,8 @@ set(target "--target=wasm32-unknown-emscripten --sysroot=${emscripten}/cache/sys
 set(CMAKE_ASM_FLAGS_INIT "${target}")
 # Exceptions as WebAssembly has them, and what emcc tells clang.
 set(CMAKE_CXX_FLAGS_INIT "${target} -fwasm-exceptions -D_LIBCPP_ABI_VERSION=2 -fno-threadsafe-statics \
--fvisibility=default -mllvm -combiner-global-alias-analysis=false -mllvm -disable-lsr")
+-fvisibility=default -Xclang -iwithsysroot/include/compat \
+-mllvm -combiner-global-alias-analysis=false -mllvm -disable-lsr")
 set(CMAKE_FIND_ROOT_PATH ${emscripten}/cache/sysroot)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

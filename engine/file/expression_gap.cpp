@@ -1,7 +1,19 @@
 #include "engine/file/expression_gap.hpp"
 
 #include <algorithm>
-#include <boost/numeric/interval.hpp>
+#include <boost/limits.hpp>
+// Not the header of the whole library, which wants a processor that can round upwards and downwards.
+#include <boost/numeric/interval/arith.hpp>
+#include <boost/numeric/interval/arith2.hpp>
+#include <boost/numeric/interval/checking.hpp>
+#include <boost/numeric/interval/compare.hpp>
+#include <boost/numeric/interval/constants.hpp>
+#include <boost/numeric/interval/interval.hpp>
+#include <boost/numeric/interval/policies.hpp>
+#include <boost/numeric/interval/rounded_arith.hpp>
+#include <boost/numeric/interval/rounded_transc.hpp>
+#include <boost/numeric/interval/transc.hpp>
+#include <boost/numeric/interval/utility.hpp>
 #include <cmath>
 #include <limits>
 

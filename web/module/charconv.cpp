@@ -73,7 +73,7 @@ bool is_unusual(double value) { return !std::isfinite(value) || value == 0; }
 
 }  // namespace
 
-namespace std {
+_LIBCPP_BEGIN_NAMESPACE_STD
 
 to_chars_result to_chars(char* first, char* last, double value) {
     if (is_unusual(value)) return copied(first, last, unusual(value));
@@ -103,4 +103,4 @@ from_chars_result from_chars(const char* first, const char* last, double& value,
     return {read.ptr, read.ec};
 }
 
-}  // namespace std
+_LIBCPP_END_NAMESPACE_STD
