@@ -74,10 +74,10 @@ build_mpfr() {
     mpfr=$(source_of mpfr4)
     cp "$mpfr/src/mpfr.h" "$prefix/include"
     cp "$mpfr/src/mparam_h.in" "$mpfr/src/mparam.h"
-    find "$mpfr/src" -maxdepth 1 -name '*.c' ! -name 'jyn_asympt.c' ! -name 'round_raw_generic.c' \
-        ! -name 'speed.c' ! -name 'tuneup.c' ! -name '*_extracted.c' | archive_c mpfr -D__MPFR_WITHIN_MPFR -DHAVE_STDINT_H -DHAVE_INTTYPES_H \
-        -DHAVE_INTMAX_T -DHAVE_LITTLE_ENDIAN -DHAVE_DOUBLE_IEEE_LITTLE_ENDIAN -DMPFR_USE_NO_MACRO=0 \
-        "-I$prefix/include" "-I$mpfr/src"
+    find "$mpfr/src" -maxdepth 1 -name '*.c' ! -name '*_extracted.c' ! -name '*_generic.c' ! -name jyn_asympt.c \
+        ! -name speed.c ! -name tuneup.c ! -name '*printf.c' |
+        archive_c mpfr -D__MPFR_WITHIN_MPFR -DHAVE_STDARG -DHAVE_STDINT_H -DHAVE_INTTYPES_H -DHAVE_INTMAX_T \
+            -DHAVE_LITTLE_ENDIAN -DHAVE_DOUBLE_IEEE_LITTLE_ENDIAN "-I$prefix/include" "-I$mpfr/src"
 }
 
 # Of nettle SHA-256 and base64 only.

@@ -1,0 +1,53 @@
+// The module as a function: text of a request in, text of its answer out. For the worker, and for tests in Node.js.
+
+/** What the module's standard library asks of a system. It has no files and no arguments; what it writes is dropped. */
+const badDescriptor = 8, done = 0;
+
+/**
+ * @param {WebAssembly.Module} compiled
+ * @returns {Promise<((request: string) => string) & {size: () => number}>} size: bytes of memory
+ */
+export async function openModule(compiled) {
+    /** @type {any} */
+    let of;
+    const view = () => new DataView(of.memory.buffer);
+    const wasi = {
+        fd_close: () => badDescriptor,
+        fd_read: () => badDescriptor,
+        fd_seek: () => badDescriptor,
+        fd_write: (/** @type {number} */ _file, /** @type {number} */ pieces, /** @type {number} */ count, /** @type {number} */ written) => {
+            let size = 0;
+            for (let i = 0; i < count; ++i) size += view().getUint32(pieces + 8 * i + 4, true);
+            view().setUint32(written, size, true);
+            return done;
+        },
+        environ_sizes_get: (/** @type {number} */ count, /** @type {number} */ size) => {
+            view().setUint32(count, 0, true);
+            view().setUint32(size, 0, true);
+            return done;
+        },
+        environ_get: () => done,
+        clock_time_get: (/** @type {number} */ _clock, /** @type {bigint} */ _precision, /** @type {number} */ time) => {
+            view().setBigUint64(time, 0n, true);
+            return done;
+        },
+        proc_exit: (/** @type {number} */ code) => {
+            throw new Error(`exit ${code}`);
+        },
+    };
+    const instance = await WebAssembly.instantiate(compiled, {
+        wasi_snapshot_preview1: wasi,
+        env: {emscripten_notify_memory_growth: () => {}},
+    });
+    of = instance.exports;
+    of._initialize?.();
+    const encoder = new TextEncoder(), decoder = new TextDecoder();
+    const answer = (/** @type {string} */ request) => {
+        const bytes = encoder.encode(request);
+        const at = of.kinegraph_request(bytes.length);
+        new Uint8Array(of.memory.buffer, at, bytes.length).set(bytes);
+        const length = of.kinegraph_answer();
+        return decoder.decode(new Uint8Array(of.memory.buffer, of.kinegraph_text(), length));
+    };
+    return Object.assign(answer, {size: () => of.memory.buffer.byteLength});
+}
