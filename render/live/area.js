@@ -2,8 +2,10 @@
 
 import {along, boxOf, minus} from './path.js';
 import {companionsOf, shareRoom, total, wellShaped} from './room.js';
+/** @typedef {import('./drive.js').Drive} Drive */
 /** @typedef {import('./figures.js').FigureView} FigureView */
 /** @typedef {import('./held_marks.js').HeldMarks} HeldMarks */
+/** @typedef {import('./motion.js').Motion} Motion */
 /** @typedef {import('./room.js').Companion} Companion */
 /** @typedef {import('./types.js').Spot} Spot */
 
@@ -22,24 +24,25 @@ export class Area {
     /** @param {FigureView} view */
     constructor(view) {
         this.view = view;
-        const {viewBox, isMechanism, held} = view;
+        const {viewBox, isMechanism, isHeld} = view;
         /**
          * The area for a polygon that fills its space: if it was drawn flat, or beside a detail, its shape may differ
          * elsewhere.
          */
-        this.fitRoom = isMechanism || held ? viewBox : wellShaped(viewBox);
+        this.fitRoom = isMechanism || isHeld ? viewBox : wellShaped(viewBox);
     }
     /**
      * All points that it must show here, at the drawing's scale, mm.
      * @returns {Spot[]}
      */
     extent() {
-        if (this.view.held) return this.extentHeld(this.view.held);
+        if (this.view.held && this.view.isHeld) return this.extentHeld(this.view.held);
         if (this.view.isMechanism) {
             // A vector that grows without limit near a dead point may leave the area.
             const [x, y, width, height] = this.view.viewBox, rim = width / 4;
-            const tips = [...this.view.vectorsOf(this.view.motion.plan).keys()].flatMap((name) =>
-                this.view.vector(name) ?? []).filter(
+            const arrows = [...this.view.held?.arrows.values() ?? []].flatMap(({now}) => now() ?? []);
+            const tips = [...arrows, ...[...this.view.vectorsOf(this.view.motion.plan).keys()].flatMap((name) =>
+                this.view.vector(name) ?? [])].filter(
                 (at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim);
             return [...this.view.motion.read.points.map((at) => this.view.paper(at)), ...tips];
         }
@@ -77,7 +80,7 @@ export class Area {
      */
     takeRoom(views, rows) {
         const rim = 12, below = 8, own = this.fitRoom;
-        if (views.length > 1 && !this.view.isMechanism && !this.view.held) {
+        if (views.length > 1 && !this.view.isMechanism && !this.view.isHeld) {
             this.rows = rows;
             [this.title, this.foot] = companionsOf(this.view, views);
             const feet = total(rows.map((row) => Math.max(...row.map(({area: {foot}}) => foot?.height ?? 0))));
@@ -122,5 +125,66 @@ export class Area {
         const middle = {x: (left + right) / 2, y: (top + bottom) / 2};
         return {scale: this.view.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre,
             this.view.drawnOrigin))};
+    }
+}
+
+/** The areas that figures may cover over the range of a driver, so that nothing leaves its drawing and scales stay. */
+export class Rooms {
+    /** @param {Drive} drive */
+    constructor(drive) {
+        this.drive = drive;
+        /**
+         * By language and driver.
+         * @type {Map<string, Map<SVGSVGElement, number[]>>}
+         */
+        this.known = new Map();
+    }
+    clear() {
+        this.known.clear();
+    }
+    /**
+     * The figure's own area, extended by what it covers over the driver's range: nothing leaves it, and its scale stays
+     * constant.
+     * @param {FigureView} view
+     */
+    of(view) {
+        const key = `${this.drive.page.language} ${this.drive.course.driver} ${this.drive.page.at('fit').checked}`;
+        if (!this.known.has(key)) this.known.set(key, this.measure());
+        return this.known.get(key)?.get(view.svg) ?? view.viewBox;
+    }
+    measure() {
+        const motion = /** @type {Motion} */ (this.drive.motion), {course} = this.drive, here = motion.at;
+        const most = 1, fits = this.drive.page.at('fit').checked;
+        const rooms = new Map(this.drive.page.figures.map((view) => {
+            const [x, y, width, height] = view.viewBox;
+            return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
+        }));
+        for (const sample of course.samples) {
+            if (!motion.moveTo(course, sample.at)) continue;
+            for (const view of this.drive.page.figures) {
+                if (!view.svg.matches('.following') || (view.isConstructed && motion.plan < 0)) continue;
+                const [x, y, width, height] = view.viewBox,
+                    room = /** @type {any} */ (rooms.get(view.svg)),
+                    margin = view.isFree ? 14 : 8;
+                view.scale = view.drawnScale;
+                view.origin = view.drawnOrigin;
+                view.held?.take(fits);
+                view.ground.measureTravels();
+                for (const at of view.extent()) {
+                    room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
+                    room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
+                    room.top = Math.max(Math.min(room.top, at.y - margin), y - most * height);
+                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + (1 + most) * height);
+                }
+            }
+        }
+        motion.moveTo(course, here);
+        // The scale bar is below what moves.
+        for (const view of this.drive.page.figures) {
+            const room = rooms.get(view.svg), [, y, , height] = view.viewBox;
+            if (room && view.isMechanism && view.measures.length > 0 && room.bottom > y + height) room.bottom += 8;
+        }
+        return new Map([...rooms].map(
+            ([svg, room]) => [svg, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
     }
 }

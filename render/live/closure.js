@@ -164,6 +164,34 @@ export class Places {
         return false;
     }
 
+    /**
+     * The virtual displacements of the unknowns, by column, for a displacement one of a driver's coordinate; the other
+     * drivers rest.
+     * @param {number} driver
+     */
+    displaced(driver) {
+        const {rows} = this.data;
+        const matrix = rows.map(() => new Float64Array(this.columns + 1));
+        rows.forEach((row, r) => {
+            this.write(row, matrix[r]);
+            matrix[r][this.columns] = row[13] === driver ? 1 : 0;
+        });
+        return solved(matrix, this.columns);
+    }
+    /**
+     * The displacement of a point, in the closure's unit.
+     * @param {number} point
+     * @param {Float64Array} by of the unknowns
+     * @returns {Spot}
+     */
+    displacement(point, by) {
+        const [body, x, y] = this.data.points[point];
+        if (body <= 0) return {x: 0, y: 0};
+        const [, , column, turn] = this.data.bodies[body], arm = quarterTurn(faced(this.facing[body], x, y));
+        const [dx, dy] = column >= 0 ? [by[column], by[column + 1]] : [0, 0];
+        return {x: dx + by[turn] * arm.x, y: dy + by[turn] * arm.y};
+    }
+
     /** Points, guides, normals and tangents, m, as in engine/motion/positions.cpp. */
     read() {
         const {points, joints, unit} = this.data;

@@ -1,8 +1,8 @@
 // Moving the mechanism: the driver, its slider, play, stops. Shows what depends on the position.
 
+import {Rooms} from './area.js';
 import {Dragging} from './drag.js';
 import {unscored} from './exercise.js';
-import {Rooms} from './rooms.js';
 /** @typedef {import('./figures.js').FigureView} FigureView */
 /** @typedef {import('./motion.js').Motion} Motion */
 /** @typedef {import('./page.js').Page} Page */
@@ -125,6 +125,20 @@ export class Drive {
         const {samples} = this.course, reach = (samples[samples.length - 1].at - samples[0].at) / 250;
         return [...this.stops, 0].find((stop) => Math.abs(stop - at) < reach) ?? at;
     }
+    /**
+     * Changes a load, or a given velocity.
+     * @param {number} setting
+     * @param {number} size SI
+     * @param {number} turn from its direction as drawn, rad
+     */
+    turnLoad(setting, size, turn) {
+        const {motion} = this;
+        if (!motion) return;
+        const put = (/** @type {number[]} */ all, /** @type {number} */ value) =>
+            all.map((each, i) => i === setting ? value : each);
+        motion.give(put(motion.settings, size), put(motion.turns, turn));
+        this.show();
+    }
     /** @param {number} at */
     moveTo(at) {
         if (!this.motion?.moveTo(this.course, at)) return this.say(this.page.word('out_of_reach'));
@@ -202,7 +216,7 @@ export class Drive {
         const {motion} = this;
         if (!motion) return;
         if (this.course !== this.shownWay) this.showWay();
-        if (motion.isStill) this.say('');
+        if (motion.isStill) this.say(motion.plan < 0 ? this.page.word('no_construction') : '');
         else this.showWhere(motion);
         this.page.panel.show(motion);
         // What is hidden follows when it is shown.
@@ -263,8 +277,9 @@ export class Drive {
             view.saysOtherScale = false;
         } else {
             view.saysOtherScale = true;
-            scale.textContent = view.scales.map(({now, unit}) =>
+            const said = view.scales.map(({now, unit}) =>
                 `1 mm ≙ ${this.page.numberText(Number(now.toPrecision(3)))} ${unit}`).join(';  ');
+            if (scale.textContent !== said) scale.textContent = said;
         }
     }
     /**

@@ -84,7 +84,7 @@ export class Exercise {
     /** Polygons with at least one task. */
     get polygons() {
         const all = this.page.figures.filter(
-            (view) => !view.isMechanism && !view.held && view.follows && view.id !== 'closure',
+            (view) => !view.isMechanism && !view.isHeld && view.follows && view.id !== 'closure',
         );
         return all.filter((view) => all.find(({id}) => id === view.id) === view && this.tasksOf(view).length > 0);
     }

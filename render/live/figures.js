@@ -3,7 +3,7 @@
 // since nothing may be shown that was not constructed. In the drawn position it is the sheet's figure, unchanged.
 
 import {Area} from './area.js';
-import {ArrowBinder} from './arrow_binder.js';
+import {AbsentArrows, ArrowBinder} from './arrow_binder.js';
 import {scaledBy} from './given.js';
 import {GroundBinder} from './ground_binder.js';
 import {HeldBinder} from './held_binder.js';
@@ -80,7 +80,7 @@ export class FigureView extends Paper {
         super(group, info, motion, names);
         this.svg = svg;
         /** The marks with a data-on attribute. */
-        this.held = this.isHeld ? new HeldMarks(this) : null;
+        this.held = this.isHeld || group.querySelector('[data-on]') ? new HeldMarks(this) : null;
         this.heldBinder = this.held && new HeldBinder(this.held);
         if (this.held?.isLever) this.takeScale();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
@@ -97,12 +97,12 @@ export class FigureView extends Paper {
     }
     /** Whether the figure can follow the mechanism. */
     get follows() {
-        if (this.isMechanism || this.held) return this.scale > 0;
+        if (this.isMechanism || this.isHeld) return this.scale > 0;
         return this.keys.size > 0 && ![...this.keys.values()].includes('');
     }
     /** Whether the figure depends on a construction, not on the position only. */
     get isConstructed() {
-        return !this.isMechanism || this.held !== null;
+        return !this.isMechanism || (this.isHeld && this.held?.isRecorded === true);
     }
     /** Units for a mm, now and as drawn; of Joukowsky's lever for velocities and forces. */
     get scales() {
@@ -146,8 +146,8 @@ export class FigureView extends Paper {
         this.stayInPlace();
         setSideBySide(this);
         const bars = this.isMechanism ? this.links.bars() : [];
-        this.crowd.clear([...bars, ...this.held ? [...this.held.arrows.values()].flatMap(({now}) => [now() ?? []]) :
-            [...this.keys.keys()].map((name) => this.drawnVector(name) ?? [])]);
+        const arrows = [...this.held?.arrows.values() ?? []].map(({now}) => now() ?? []);
+        this.crowd.clear([...bars, ...arrows, ...[...this.keys.keys()].map((name) => this.drawnVector(name) ?? [])]);
         for (const update of [...this.bindings, ...this.placings]) update();
     }
     /**
@@ -187,6 +187,8 @@ export class FigureView extends Paper {
     bind() {
         if (this.isBound) return;
         this.isBound = true;
+        // Where nothing moves, what is bound to no force stays true.
+        this.svg.classList.toggle('rests', this.motion.isStill && this.info.name === 'truss');
         this.bindHeld();
         this.labels.bindLabels();
         for (const node of [...this.svg.children, ...this.group.children]) this.lines.bindScaleBar(node);
@@ -198,6 +200,7 @@ export class FigureView extends Paper {
             else if (node.tagName === 'path') this.lines.bindPath(node);
             else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
         }
+        new AbsentArrows(this).add();
     }
     /** Binds the marks with a data-on attribute; of a free body also its own marks. */
     bindHeld() {

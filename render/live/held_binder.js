@@ -3,6 +3,7 @@
 import {dot, quarterTurn} from './closure.js';
 import {scaledBy} from './given.js';
 import {endsOf, holdOf} from './held_marks.js';
+import {HeldForms, isStroke} from './held_forms.js';
 import {HeldShapes} from './held_shapes.js';
 import {drawn} from './measure.js';
 import {along, apart, leastVector, minus} from './path.js';
@@ -15,6 +16,7 @@ export class HeldBinder {
     constructor(held) {
         this.held = held;
         this.shapes = new HeldShapes(held);
+        this.forms = new HeldForms(held);
     }
     /** @param {Element} node not a label */
     bind(node) {
@@ -34,12 +36,14 @@ export class HeldBinder {
             case 'with':
                 return this.bindWith(node, on);
             case 'arrow':
-                return this.bindArrow(node, on);
+                return on.length > 2 ? this.forms.bindBetween(node, on) : this.bindArrow(node, on);
             case 'couple':
                 return this.bindCouple(node, on);
             case 'line':
                 return redraw(() => this.shapes.linesNow(hold));
             case 'segment':
+                if (on.length > 2) return this.forms.bindBar(node, on);
+                if (!isStroke(node)) return this.forms.bindStretch(node, on);
                 this.bindAxis(node, on);
                 return redraw(() => this.shapes.segmentNow(hold));
             case 'through':
@@ -48,6 +52,7 @@ export class HeldBinder {
             case 'circle':
                 return redraw(() => this.shapes.circleNow(on));
             case 'arc':
+                if (hold.beyond > 0) return this.forms.bindAngle(node, on);
                 return redraw(() => this.shapes.arcNow(on));
             default:
                 return node.classList.add('still');
@@ -60,6 +65,16 @@ export class HeldBinder {
     bindWith(node, on) {
         const {view} = this.held, asDrawn = this.held.axes(on);
         if (!asDrawn) return node.classList.add('still');
+        if (on.length === 2) {
+            // Of a length that means nothing: only its direction is dragged.
+            const {x, y, width, height} = /** @type {SVGGraphicsElement} */ (node).getBBox();
+            const off = minus({x: x + width / 2, y: y + height / 2}, asDrawn.at), t = 2 * dot(off, asDrawn.e);
+            const free = () => {
+                const now = this.held.axes(on);
+                return now && along(now.at, t, now.e);
+            };
+            this.forms.addHandle(node, on[1], () => this.held.place(on[0]), free, Math.sign(t) || 1, () => 0);
+        }
         view.bindings.push(() => {
             const now = this.held.axes(on);
             view.marks.show(node, now !== null);
@@ -90,6 +105,8 @@ export class HeldBinder {
             return /** @type {[Spot, Spot]} */ ([from, along(from, size, here.e)]);
         };
         const whole = /** @type {[Spot, Spot]} */ ([tail, tip]);
+        this.forms.addHandle(node, on[1], () => now()?.[pulls ? 0 : 1] ?? null, () => now()?.[pulls ? 1 : 0] ?? null,
+            pulls ? 1 : -1, () => this.held.scale);
         this.held.arrows.set(on.join(' '), {drawn: whole, now});
         view.arrows.bindArrow(node, whole, now);
     }
@@ -134,10 +151,11 @@ export class HeldBinder {
         const hold = holdOf(label), {on, form} = hold, {view} = this.held;
         if (hold.unit > 0) this.tellNumber(label, hold);
         if (form === 'at') this.held.places.add(on[0]);
+        if (form === 'arc' && hold.beyond > 0) return this.forms.bindAngleLabel(parts, on, centre, box);
         if (form === 'at' || form === 'couple') return view.labels.bindToPlace(parts, () => this.held.place(on[0]));
         const ends = this.sidesOf(hold, centre), whole = this.held.arrows.get(on.join(' '))?.drawn ?? ends();
         if (!whole) return parts.forEach((part) => part.classList.add('still'));
-        if (form === 'arrow' && hold.unit === 0) {
+        if (form === 'arrow' && on.length === 2 && hold.unit === 0) {
             view.vectorLabels.push({label, box, value: () => ends() && this.held.sizeOf(on) / this.held.inUnit,
                 unit: this.held.unit});
         }

@@ -7,7 +7,17 @@ import {along, apart, minus} from './path.js';
 /** @typedef {import('./figures.js').FigureView} FigureView */
 /** @typedef {import('./types.js').Spot} Spot */
 
-/** @typedef {{form: string, on: string[], beyond: number, unit: number}} Hold */
+/**
+ * @typedef {{form: string, on: string[], beyond: number, unit: number}} Hold
+ * @typedef {{given: number, at: () => Spot | null, free: () => Spot | null, sense: number, scale: () => number}} Handle
+ *   of a vector that can be dragged: the index of the given; the end that stays, and the free one; +1: it leads to the
+ *   free end; SI units for a mm, 0: only its direction is drawn
+ */
+
+/** As engine/solution/bindings.cpp writes them. */
+export const tipOfVector = /^p(\d+)>(.+)>([^>]+)$/;
+const placeOnBody = /^b(\d+) (\S+) (\S+)$/, tipOfDisplacement = /^d(\d+) (\d+) (\S+)$/,
+    ofPosition = /^([ptg]\d+|b\d+ \S+ \S+|d\d+ \d+ \S+)$/;
 
 /**
  * @param {Element} node
@@ -50,6 +60,18 @@ export class HeldMarks {
          * @type {Set<string>}
          */
         this.places = new Set();
+        /**
+         * Vectors that a reader may drag.
+         * @type {Handle[]}
+         */
+        this.handles = [];
+        /** Whether the scale stays while a vector is dragged. */
+        this.isKept = false;
+        /** Whether some mark depends on the record, not on the position only. */
+        this.isRecorded = [...view.group.querySelectorAll('[data-on]')].some((node) => {
+            const {form, on} = holdOf(node);
+            return form !== 'body' && on.some((name) => name !== '' && !ofPosition.test(name));
+        });
         this.measureScales();
     }
     /** Computes the scale from the longest arrow; for Joukowsky's lever also from the longest ray. */
@@ -77,7 +99,8 @@ export class HeldMarks {
         this.unit = own.getAttribute('data-unit') ?? '';
         this.inUnit = this.drawnScale / Number(own.getAttribute('data-scale') ?? 1);
         const arrows = all.filter((node) => node.matches('g.vector, g.force'));
-        this.forces = arrows.map((node) => holdOf(node)).filter(({form}) => form === 'arrow').map(({on}) => on[1]);
+        this.forces = arrows.map((node) => holdOf(node)).filter(({form, on}) =>
+            form === 'arrow' && on.length === 2).map(({on}) => on[1]);
         this.longest = Math.max(0, ...this.forces.map((force) => this.sizeOf(['', force])));
     }
     /**
@@ -100,6 +123,8 @@ export class HeldMarks {
         if (name === 'o') return view.origin;
         if (name[0] === '/') return this.footOn(name.slice(1));
         if (/^p\d+$/.test(name)) return view.point(Number(name.slice(1)));
+        const derived = this.derivedPlace(name);
+        if (derived !== undefined) return derived;
         const element = motion.held(name)?.[0] ?? -1;
         if (!this.isLever) {
             const at = motion.spot(element);
@@ -107,6 +132,24 @@ export class HeldMarks {
         }
         const v = this.vectorOf(element) ?? {x: 0, y: 0};  // a point at rest has its image at the pole
         return motion.held(name) ? view.paper({x: -v.y, y: v.x}) : null;
+    }
+    /**
+     * A place on a body; the tip of a vector that begins at a point; undefined: the name is of the record.
+     * @param {string} name
+     * @returns {Spot | null | undefined}
+     */
+    derivedPlace(name) {
+        const {view} = this, {motion} = view;
+        const onBody = name.match(placeOnBody);
+        if (onBody) return view.links.carried(Number(onBody[1]), {x: Number(onBody[2]), y: Number(onBody[3])});
+        const displaced = name.match(tipOfDisplacement);
+        const tip = name.match(tipOfVector);
+        if (!displaced && !tip) return undefined;
+        const by = displaced ? motion.displacement(Number(displaced[1]), Number(displaced[2])) :
+            motion.held(tip?.[2] ?? '') ? this.vectorOf(motion.held(tip?.[2] ?? '')?.[1] ?? -1) ?? {x: 0, y: 0} : null;
+        const scale = view.scale * Number(displaced ? displaced[3] : tip?.[3]);
+        const from = view.point(Number(displaced ? displaced[1] : tip?.[1]));
+        return by && {x: from.x + by.x / scale, y: from.y - by.y / scale};
     }
     /** @param {string} force */
     footOn(force) {
@@ -127,6 +170,11 @@ export class HeldMarks {
      * @returns {Spot | null}
      */
     direction(names) {
+        if (/^[tg]\d+$/.test(names[0])) {
+            const {tangents, guides} = this.view.motion.read;
+            const {x, y} = (names[0][0] === 't' ? tangents : guides)[Number(names[0].slice(1))];
+            return x === 0 && y === 0 ? null : unitOf({x, y: -y});
+        }
         const [from, to] = names.length > 1 ? names.map((name) => this.place(name)) : [];
         const v = names.length > 1 ? null : this.vectorOf(this.view.motion.held(names[0])?.[1] ?? -1);
         const by = v ? {x: v.x, y: -v.y} : from && to ? minus(to, from) : null;
@@ -150,6 +198,7 @@ export class HeldMarks {
     }
     /** Call before marks are placed. If figures fill their area, the longest arrow keeps its length. */
     take(/** @type {boolean} */ fits) {
+        if (this.isKept) return;
         const sizes = this.forces.map((force) => this.sizeOf(['', force])), most = Math.max(0, ...sizes);
         this.scale = fits && most > 0 && this.longest > 0 ? this.drawnScale * most / this.longest : this.drawnScale;
     }

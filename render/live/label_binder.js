@@ -42,7 +42,7 @@ export class LabelBinder {
      * so a copy of the label stands here.
      */
     bindLabelsOfDetails() {
-        if (this.view.isMechanism || this.view.held) return;
+        if (this.view.isMechanism || this.view.isHeld) return;
         const all = [...this.view.svg.querySelectorAll('g.label')], own = new Set(all.flatMap((label, i) =>
             label.closest('g.figure') === this.view.group ? this.view.info.labels[i] ?? [] : []));
         all.forEach((label, i) => {

@@ -86,6 +86,14 @@ export class LinkBinder {
         return this.view.paper(scaledBy(data.unit, places.world(body, x, y)));
     }
     /**
+     * The current position on paper of a place that a body carries.
+     * @param {number} body
+     * @param {Spot} at as drawn, m
+     */
+    carried(body, at) {
+        return body === 0 ? this.view.paper(at) : this.shaped(body, this.view.drawnPaper(at));
+    }
+    /**
      * Index of the owner of a mark, by ids such as "link-3", "velocities-link-3", "body-2-link-2"; −1: none.
      * @param {Element} node
      * @param {string} kind
@@ -119,21 +127,11 @@ export class LinkBinder {
         if (body < 0) node.classList.add('still');
         else this.bindToBody(node, body);
     }
-    /** @param {Element} node */
+    /**
+     * A mark of a joint or a point that does not say which: at the point where it stands.
+     * @param {Element} node
+     */
     bindJoint(node) {
-        const joint = this.view.names.joints[this.named(node, 'joint', this.view.names.joints)];
-        if (joint) {
-            const drawn = this.view.point(joint.point), {places} = this.view.motion;
-            this.view.bindings.push(() => {
-                const by = minus(this.view.point(joint.point), drawn);
-                const turn = joint.turnsWith > 0 ? (-places.turn[joint.turnsWith] * 180) / Math.PI : 0;
-                this.view.marks.transform(
-                    node,
-                    `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)}) rotate(${turn.toFixed(4)} ${drawn.x} ${drawn.y})`,
-                );
-            });
-            return;
-        }
         const {centre} = boxOf(spotsOf(parsePath(node.getAttribute('d') ?? '')));
         const point = this.view.motion.read.points.findIndex((_, i) => apart(this.view.point(i), centre) < samePlace);
         if (point < 0) node.classList.add('still');
@@ -154,7 +152,7 @@ export class LinkBinder {
      */
     bindGuide(node) {
         const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
-        if (this.view.held && node.hasAttribute('data-statement')) return node.classList.add('still');
+        if (this.view.isHeld && node.hasAttribute('data-statement')) return node.classList.add('still');
         if (node.hasAttribute('data-statement') && spots.length === 2)
             return this.view.lines.bindThroughCentres(node, segments, spots);
         const joint =

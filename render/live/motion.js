@@ -26,7 +26,8 @@ export class Motion {
         }
         this.places = new Places(data);
         this.replays = data.plans.map((plan) => new Replay(plan, data.size));
-        this.helds = data.plans.map(({held}) => new Map(held.map(([name, ...elements]) => [name, elements])));
+        this.helds = data.plans.map(({held}) => new Map(held.map(([name, place, vector, couple, given = -1]) =>
+            [name, [place, vector, couple, given]])));
         /** The ranges of the drivers with the current givens. */
         this.courses = data.courses;
         this.course = data.courses[0];
@@ -35,8 +36,14 @@ export class Motion {
         this.at = 0;
         /** Index of the plan that is valid here; −1: none. */
         this.plan = 0;
-        /** Current values of MovingData.settings. */
+        /** Current values of MovingData.settings, and how far those with a direction are turned, rad. */
         this.settings = data.settings.map(({value}) => value);
+        this.turns = data.settings.map(() => 0);
+        /**
+         * Virtual displacements of the closure's unknowns in the current position, by driver.
+         * @type {Map<number, Float64Array>}
+         */
+        this.displaced = new Map();
         this.read = this.places.read();
         this.rates = {rate: 0, acceleration: 0};
         this.isDrawn = true;
@@ -55,7 +62,7 @@ export class Motion {
         return this.data.courses[0].samples.length === 1;
     }
     get isAsGiven() {
-        return this.data.settings.every(({value}, i) => value === this.settings[i]);
+        return this.data.settings.every(({value}, i) => value === this.settings[i] && this.turns[i] === 0);
     }
     /**
      * Exactly the position of the file, with the current givens.
@@ -63,7 +70,7 @@ export class Motion {
      */
     toDrawn(course = this.course) {
         const index = Math.max(this.courses.indexOf(course), 0);
-        if (!this.isAsGiven) this.give(this.data.settings.map(({value}) => value));
+        if (!this.isAsGiven) this.give(this.data.settings.map(({value}) => value), this.turns.map(() => 0));
         course = this.courses[index];
         const {places, data} = this;
         const q = new Float64Array(data.frozen.length);
@@ -96,8 +103,9 @@ export class Motion {
      * Sets other values, as Motion.settings; the coordinate stays if possible. False if the joints do not close; then
      * nothing changes.
      * @param {number[]} settings
+     * @param {number[]} turns as Motion.turns
      */
-    give(settings) {
+    give(settings, turns = this.turns) {
         const {givens, data} = this, index = this.courses.indexOf(this.course), values = [...settings];
         const differs = (/** @type {number} */ i) => values[i] !== this.settings[i];
         const isFirst = (/** @type {number} */ i) => !givens.isOfPlace(i) || values[i] === data.settings[i].value;
@@ -111,6 +119,7 @@ export class Motion {
             this.courses = ways;
         }
         this.settings = values;
+        this.turns = turns;
         const course = this.courses[index], {samples} = course;
         this.moveTo(course, Math.min(Math.max(this.at, samples[0].at), samples[samples.length - 1].at));
         return true;
@@ -179,6 +188,7 @@ export class Motion {
      * @param {number[]} likely
      */
     planHere(likely) {
+        this.displaced.clear();
         const tried = new Set([this.plan, ...likely]);
         this.replays.forEach((_, i) => tried.add(i));
         likely.forEach((i) => tried.delete(i));
@@ -227,8 +237,11 @@ export class Motion {
                 ];
             case 'setting': {
                 const share = this.settings[rule.index] / this.data.settings[rule.index].value;
-                return this.data.plans[plan].givens[rule.given].map((each) => share * each);
+                return turned(this.data.plans[plan].givens[rule.given].map((each) => share * each),
+                    this.turns[rule.index]);
             }
+            case 'turned':
+                return turned(this.data.plans[plan].givens[rule.given], this.turns[rule.index]);
             case 'rate':
                 return [this.rates.rate];
             default:
@@ -282,6 +295,26 @@ export class Motion {
         return unitOf(tangent.x !== 0 || tangent.y !== 0 ? tangent : quarterTurn(this.read.normals[joint]));
     }
     /**
+     * The setting by which a given vector is changed and turned; −1: none.
+     * @param {number} given index of the load, or of the given velocity
+     */
+    turning(given) {
+        return given < 0 ? -1 : this.data.settings.findIndex((each) => each.direction !== undefined &&
+            each.given === given);
+    }
+    /**
+     * The virtual displacement of a point for a displacement one of a driver's coordinate, m.
+     * @param {number} point
+     * @param {number} driver
+     * @returns {Spot}
+     */
+    displacement(point, driver) {
+        let by = this.displaced.get(driver);
+        if (!by) this.displaced.set(driver, by = this.places.displaced(driver));
+        const {x, y} = this.places.displacement(point, by);
+        return {x: this.data.unit * x, y: this.data.unit * y};
+    }
+    /**
      * Place, vector and couple of a mark's name in the current plan; −1: it vanishes.
      * @param {string} name
      * @returns {number[] | undefined}
@@ -299,6 +332,17 @@ export class Motion {
         const replay = this.replays[this.plan];
         return replay.w(element) === 0 ? null : {x: replay.x(element), y: replay.y(element)};
     }
+}
+
+/**
+ * A vector turned; scalars stay.
+ * @param {number[]} value
+ * @param {number} by
+ */
+function turned(value, by) {
+    if (by === 0 || value.length < 2) return value;
+    const [c, s] = [Math.cos(by), Math.sin(by)], [x, y] = value;
+    return [c * x - s * y, s * x + c * y];
 }
 
 /**

@@ -21,6 +21,7 @@ import {Traces} from './traces.js';
 export class Page {
     constructor() {
         this.data = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('data')).textContent ?? '');
+        if (this.data.pens) this.data.moving.pens = this.data.pens;
         this.language = document.documentElement.lang;
         this.motion = this.data.moving ? new Motion(this.data.moving) : null;
         /** @type {Mode} */

@@ -11,6 +11,11 @@ export class Panel {
         this.page = page;
         /** @type {Map<number, HTMLInputElement>} */
         this.inputs = new Map();
+        /**
+         * Of directions, in degrees.
+         * @type {Map<number, HTMLInputElement>}
+         */
+        this.directions = new Map();
     }
     /** @param {Motion} motion */
     wire(motion) {
@@ -29,6 +34,7 @@ export class Panel {
             label.append(`${said} `, input, ` ${unit}`);
             panel.append(label);
             this.inputs.set(i, input);
+            if (settings[i].direction !== undefined) this.addDirection(motion, i, label, said);
         });
         /** @type {Map<string, string[]>} */
         const fixed = new Map();
@@ -39,6 +45,29 @@ export class Panel {
             document.addEventListener('languagechosen', say);
             say();
         }
+    }
+    /**
+     * The direction of a load, beside its size.
+     * @param {Motion} motion
+     * @param {number} setting
+     * @param {HTMLElement} label
+     * @param {string} said
+     */
+    addDirection(motion, setting, label, said) {
+        const input = document.createElement('input'), {direction = 0} = motion.data.settings[setting];
+        Object.assign(input, {type: 'number', step: 'any'});
+        const name = () => input.setAttribute('aria-label', `${said}: ${this.page.word('direction')}`);
+        document.addEventListener('languagechosen', name);
+        name();
+        input.oninput = () => {
+            const isFirst = input.value === shortText(degrees(direction)), to = input.valueAsNumber * Math.PI / 180;
+            const isGood = Number.isFinite(to);
+            input.setAttribute('aria-invalid', String(!isGood));
+            if (isGood) this.page.drive.turnLoad(setting, motion.settings[setting], isFirst ? 0 : to - direction);
+        };
+        input.onblur = () => this.show(motion);
+        label.append(' ∠ ', input, ' °');
+        this.directions.set(setting, input);
     }
     /**
      * @param {Motion} motion
@@ -68,9 +97,18 @@ export class Panel {
             input.value = shortText(value);
             input.removeAttribute('aria-invalid');
         }
+        for (const [i, input] of this.directions) {
+            const angle = degrees((motion.data.settings[i].direction ?? 0) + motion.turns[i]);
+            if (input !== document.activeElement) input.value = shortText(angle);
+        }
     }
 }
 
+/** @param {number} angle rad; the result between −180° and 180° */
+function degrees(angle) {
+    const whole = Number((angle * 180 / Math.PI).toFixed(9));
+    return ((whole + 180) % 360 + 360) % 360 - 180 || 0;
+}
 /** @param {number} value */
 function shortText(value) {
     return String(Number(value.toPrecision(10)));

@@ -82,28 +82,38 @@ export class Crowd {
      * @param {{width: number, height: number}} size
      */
     best(places, {width, height}) {
-        const boxes = places.map(({x, y}) => ({
-            left: x - width / 2,
-            right: x + width / 2,
-            top: y - height / 2,
-            bottom: y + height / 2,
-        }));
-        const prices = boxes.map((box) => this.price(box)),
-            best = prices.indexOf(Math.min(...prices));
-        this.boxes.push(boxes[best]);
-        return places[best];
+        let best = null, place = places[0], least = Infinity;
+        for (const at of places) {
+            const box = {
+                left: at.x - width / 2,
+                right: at.x + width / 2,
+                top: at.y - height / 2,
+                bottom: at.y + height / 2,
+            };
+            const price = this.price(box, least);
+            if (price < least) [best, place, least] = [box, at, price];
+            if (least === 0) break;
+        }
+        if (best) this.boxes.push(best);
+        return place;
     }
     /**
-     * @param {{left: number, right: number, top: number, bottom: number}} box the cost is the area of other labels
-     * hidden, mm², plus twice the length of strokes hidden, mm
+     * The area of other labels hidden, mm², plus half the length of strokes hidden, mm.
+     * @param {{left: number, right: number, top: number, bottom: number}} box
+     * @param {number} most a price that is higher need not be exact
      */
-    price(box) {
-        const both = (/** @type {number[]} */ [from, to], /** @type {number[]} */ [low, high]) =>
-            Math.max(0, Math.min(to, high) - Math.max(from, low));
-        const shared = this.boxes.map(({left, right, top, bottom}) =>
-            both([left, right], [box.left, box.right]) * both([top, bottom], [box.top, box.bottom]));
-        return total([...shared,
-            ...this.strokes.map(([a, b]) => lengthWithin(a, b, box) / 2)]);
+    price(box, most) {
+        let price = 0;
+        for (const {left, right, top, bottom} of this.boxes) {
+            const wide = Math.min(right, box.right) - Math.max(left, box.left),
+                tall = Math.min(bottom, box.bottom) - Math.max(top, box.top);
+            if (wide > 0 && tall > 0) price += wide * tall;
+        }
+        for (const [a, b] of this.strokes) {
+            if (price > most) break;
+            price += lengthWithin(a, b, box) / 2;
+        }
+        return price;
     }
 }
 /**
@@ -113,14 +123,21 @@ export class Crowd {
  * @param {{left: number, right: number, top: number, bottom: number}} box
  */
 function lengthWithin(a, b, {left, right, top, bottom}) {
-    let [from, to] = [0, 1];
-    for (const [at, by, low, high] of [[a.x, b.x - a.x, left, right], [a.y, b.y - a.y, top, bottom]]) {
-        if (by === 0 && (at < low || at > high)) return 0;
-        if (by === 0) continue;
-        from = Math.max(from, Math.min((low - at) / by, (high - at) / by));
-        to = Math.min(to, Math.max((low - at) / by, (high - at) / by));
+    if (Math.max(a.x, b.x) < left || Math.min(a.x, b.x) > right) return 0;
+    if (Math.max(a.y, b.y) < top || Math.min(a.y, b.y) > bottom) return 0;
+    const dx = b.x - a.x, dy = b.y - a.y;
+    let from = 0, to = 1;
+    if (dx !== 0) {
+        const one = (left - a.x) / dx, other = (right - a.x) / dx;
+        from = Math.max(from, Math.min(one, other));
+        to = Math.min(to, Math.max(one, other));
     }
-    return Math.max(0, to - from) * apart(a, b);
+    if (dy !== 0) {
+        const one = (top - a.y) / dy, other = (bottom - a.y) / dy;
+        from = Math.max(from, Math.min(one, other));
+        to = Math.min(to, Math.max(one, other));
+    }
+    return Math.max(0, to - from) * Math.hypot(dx, dy);
 }
 
 /**

@@ -20,6 +20,7 @@ export class Steps {
     }
     wire() {
         const {page} = this;
+        if (!page.at('previous')) return;
         page.at('previous').onclick = () => this.go(this.at < 0 ? this.says.length - 1 : Math.max(this.at - 1, 0));
         page.at('next').onclick = () => this.go(Math.min(this.at + 1, this.says.length - 1));
         page.at('all').onclick = () => this.go(this.at < 0 ? 0 : -1);

@@ -94,9 +94,10 @@ export class Teller {
      */
     write(node, view, name) {
         const {page} = this, {held} = view, on = held && node.hasAttribute('data-on') ? holdOf(node).on : null;
-        const size = held && on ? held.sizeOf(on) / held.inUnit : view.sizeOf(name);
+        const isForce = held !== null && on !== null && on.length === 2 && holdOf(node).form === 'arrow';
+        const size = isForce ? held.sizeOf(on) / held.inUnit : view.sizeOf(name);
         if (size === null || !(size >= 0)) return;
-        const said = `= ${page.numberText(Number(size.toPrecision(4)))} ${held ? held.unit : view.unit}`;
+        const said = `= ${page.numberText(Number(size.toPrecision(4)))} ${isForce ? held.unit : view.unit}`;
         const title = node.querySelector(':scope > title');  // the browser's tooltip
         if (title) title.textContent = `${name} ${said}`;
         const label = [...view.group.querySelectorAll('g.label')].find(

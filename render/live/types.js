@@ -14,7 +14,10 @@
  *   offset: number}} MovingGiven
  * @typedef {{givens: (number[])[], strokes: number[], guards: number[], doubtfulBits: number, moving: MovingGiven[],
  *   sources: number[], vectors: [string, string, number, number, number][], spots: [string, string, number][],
- *   lines: [string, string, number, number, ...number[]][], held: [string, number, number, number][]}} Plan
+ *   lines: [string, string, number, number, ...number[]][], held: [string, number, number, number, number?,
+ *   string?, string?][]}} Plan
+ *   held: place, vector, couple; the index of what the file gives; figure and symbol of a force that the drawn position
+ *   does not have
  *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict,
  *   stroke before which it is evaluated;
  *   sources: an element by column, −1: it vanishes, −2: unknown
@@ -29,14 +32,17 @@
  *   startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{name: string, unit: string, size: number, value: number,
- *   ends?: [number, number], bar?: number, parameter?: boolean, radians?: number}} Changeable
+ *   ends?: [number, number], bar?: number, parameter?: boolean, radians?: number, direction?: number,
+ *   given?: number}} Changeable
+ *   direction: as drawn, rad, of a vector that can be turned; given: its index in the file
  *   radians: of a parameter that is an angle; ends: points, of a length; bar: the body of the length,
  *   otherwise the frame
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
  *   points: [number, number, number, number][], joints: JointRule[], directions: number[],
  *   settings: Changeable[], effects: [(string | number)[], ...number[]][], fixed: [string, string][],
  *   columns: Column[], plans: Plan[],
- *   courses: Course[]}} MovingData
+ *   courses: Course[], pens?: [string, number][]}} MovingData
+ *   pens: stroke and width of bars in compression, without force, in tension
  *   effects: the path to a number in this data;
  *   then for each term one or two of Givens.deltas (the second −1) and its factor
  *   fixed: parameters that can be changed only in the file, and the reason

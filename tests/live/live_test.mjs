@@ -1052,6 +1052,39 @@ for (const name of ['beam', 'sluice_gate', 'truss_simple']) {
     });
 }
 
+const relaxedFile = fileURLToPath(new URL('relaxed.json', import.meta.url));
+
+test('a force that is zero as drawn has an arrow where it is not, and its polygon closes', async () => {
+    await open(pageOf('relaxed', relaxedFile));
+    const look = (turn) => see(`kinegraph.moveTo(${turn}), (() => {
+        const seen = (node) => getComputedStyle(node).visibility === 'visible', view = kinegraph.figures.find(({id}) => id === 'forces-4');
+        const arrows = [...view.group.querySelectorAll('g.vector')].filter(seen);
+        const by = arrows.map((each) => endsOf(each.querySelector('line.axis'))).map(([a, b]) => minus(b, a));
+        const own = view.group.querySelector('[data-name=F_s]'), [a, b] = endsOf(own.querySelector('line.axis'));
+        return {isSeen: seen(own), value: (b.x - a.x) * view.scale, open: Math.hypot(total(by.map(({x}) => x)), total(by.map(({y}) => y))),
+            labels: [...view.group.querySelectorAll('text.symbol')].filter(seen).map(({textContent}) => textContent)};
+    })()`);
+    for (const turn of [0.6, 2, 4]) {
+        const found = await look(turn), x = 50 * Math.cos(turn + Math.atan2(40, 30)) + 120;
+        assert.ok(found.isSeen, String(turn));
+        assert.ok(Math.abs(found.value - 0.5 * (150 - x)) < 1e-3, `${found.value} at ${turn}`);
+        assert.ok(found.open < 0.01, String(found.open));
+        assert.deepEqual(found.labels, ['Fs']);
+    }
+    await see('document.getElementById("drawn").click()');
+    assert.equal(await see(`[...document.querySelectorAll('main:not([hidden]) [data-name=F_s], text.symbol')]
+        .filter((each) => getComputedStyle(each).visibility === 'visible').length`), 0);
+    quiet();
+});
+
+for (const name of ['motion/circular', 'motion/three_positions', 'contact/ball_on_plane', 'variants/impact']) {
+    test(`the page of ${name}, which is no mechanism, opens without a word`, async () => {
+        await openToRead(pageOf(name.replace('/', '_'), join(examples, `${name}.json`)));
+        assert.ok(await see('document.querySelectorAll("main:not([hidden]) svg[role=img]").length') > 0);
+        quiet();
+    });
+}
+
 test('a file without a driver is read all the same', async () => {
     await open(pageOf('beam'));
     assert.equal(await see('document.getElementById("play")'), null);
