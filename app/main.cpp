@@ -809,21 +809,9 @@ Status run(int count, char** arguments, Language language) {
     program.footer(statuses);
     program.require_subcommand(1);
     Action action;
-    add_solve(program, action);
-    add_sweep(program, action);
-    add_variants(program, action);
-    add_cam(program, action);
-    add_check(program, action);
-    add_import(program, action);
-    add_diff(program, action);
-    add_pairs(program, action);
-    add_equations(program, action);
-    add_schema(program, action);
-    add_batch(program, action);
-    add_watch(program, action);
-    add_edit(program, action);
-    add_completion(program, action);
-    add_manual(program, action);
+    for (const auto add : {add_solve, add_sweep, add_variants, add_cam, add_check, add_import, add_diff, add_pairs,
+                           add_equations, add_schema, add_batch, add_watch, add_edit, add_completion, add_manual})
+        add(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

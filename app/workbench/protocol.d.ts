@@ -69,7 +69,7 @@ export interface Answer {
     faults: Fault[];
     /** What was probably forgotten, or what is worth knowing. */
     remarks: string[];
-    /** Results that the mechanism does not determine, each with the reason. Empty unless something solved was wanted. */
+    /** Results that are not determined, each with the reason. Empty unless something solved was wanted. */
     unsolved: {what: string; why: string}[];
     title: string;
     /** Absent where the text is no mechanism file at all. */

@@ -51,8 +51,8 @@ public:
     double inked(const InkBox& box, double most = 1e300) const;
     /// Same as inked(box) > 0, but faster.
     bool touches(const InkBox& box) const;
-    /// How far an upright box must be moved right or down, at least, until it has left all ink that it touches now, if it
-    /// touches any.
+    /// How far an upright box must be moved right or down, at least, until it has left all ink that it touches now, if
+    /// it touches any.
     std::optional<double> way_right(const InkBox& box) const;
     std::optional<double> way_down(const InkBox& box) const;
     /// How often a thin line between two spots meets ink, counted up to `most`. A broad stroke counts several times;
