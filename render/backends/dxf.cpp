@@ -272,7 +272,7 @@ private:
         begin("LWPOLYLINE", layer);
         stroke(&pen);
         out_.put(100, "AcDbPolyline");
-        out_.put(90, run.vertices.size());
+        out_.put_count(90, run.vertices.size());
         constexpr int closed = 1, dashes_go_round_corners = 128;
         out_.put(70, (run.is_closed ? closed : 0) | (pen.dashes.empty() ? 0 : dashes_go_round_corners));
         vertices(run);
@@ -298,7 +298,7 @@ private:
         out_.put(2, "SOLID");
         out_.put(70, 1);
         out_.put(71, 0);
-        out_.put(91, runs.size());
+        out_.put_count(91, runs.size());
         for (const Run& run : runs) {
             const bool bulges = std::any_of(run.vertices.begin(), run.vertices.end(),
                                             [](const Vertex& vertex) { return vertex.bulge != 0; });
@@ -306,7 +306,7 @@ private:
             out_.put(92, external | polyline);
             out_.put(72, bulges ? 1 : 0);
             out_.put(73, 1);
-            out_.put(93, run.vertices.size());
+            out_.put_count(93, run.vertices.size());
             for (const Vertex& vertex : run.vertices) {
                 const Spot at = upwards(vertex.at);
                 out_.put(10, at.x);

@@ -3,6 +3,7 @@
 // Source: Autodesk, DXF Reference.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -21,7 +22,7 @@ public:
     void put(int code, std::string_view text);
     void put(int code, double number);
     void put(int code, int number) { put_whole(code, number); }
-    void put(int code, std::uint64_t number) { put_whole(code, static_cast<std::int64_t>(number)); }
+    void put_count(int code, std::size_t count) { put_whole(code, static_cast<std::int64_t>(count)); }
     void put_handle(int code, std::uint64_t handle);
     void put_point(int code, Spot at);  ///< x, y, and z = 0
     std::string_view text() const { return bytes_.text(); }

@@ -533,10 +533,10 @@ constexpr std::string_view slides_head =
 )";
 constexpr std::string_view slides_head_end =
     R"(% \kgsays{WIDTH}{SIZE}(X,Y){SENTENCES} sets what a step says, \kgslide{PICTURE} a picture as wide as the paper.
-\def\kgsays#1#2(#3,#4)#5{\node[kg text,anchor=north west,text width=#1mm,align=left] at (#3,#4)
+\long\def\kgsays#1#2(#3,#4)#5{\node[kg text,anchor=north west,text width=#1mm,align=left] at (#3,#4)
   {\fontsize{#2bp}{1.25\dimexpr#2bp\relax}\selectfont #5};}
 \newsavebox\kgpicture
-\def\kgslide#1{\sbox\kgpicture{#1}\begin{tikzpicture}[remember picture,overlay]
+\long\def\kgslide#1{\sbox\kgpicture{#1}\begin{tikzpicture}[remember picture,overlay]
   \node[inner sep=0pt] at (current page.center) {\resizebox{\paperwidth}{!}{\usebox\kgpicture}};
   \end{tikzpicture}}
 )";

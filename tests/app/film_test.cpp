@@ -60,8 +60,7 @@ TEST_F(FilmFiles, HaveTheSlidesAsLongAsTheyAreRead) {
 TEST_F(FilmFiles, HaveCaptionsBesideThem) {
     ASSERT_EQ(film("solve four_bar.json -o a.mp4 -o a.webm --lang it").status, 0);
     const std::string captions = contents(folder_ / "a.vtt");
-    EXPECT_EQ(captions.substr(0, 44), "WEBVTT\n\n1\n00:00:00.000 --> 00:00:0" + captions.substr(34, 10));
-    EXPECT_NE(captions.find("--> 00:00:"), std::string::npos);
+    EXPECT_TRUE(captions.starts_with("WEBVTT\n\n1\n00:00:00.000 --> 00:00:")) << captions;
     EXPECT_EQ(captions.find("\n\n\n"), std::string::npos);
     std::size_t cues = 0;
     for (std::size_t at = captions.find(" --> "); at != std::string::npos; at = captions.find(" --> ", at + 1)) ++cues;

@@ -57,7 +57,7 @@ TEST(Overlays, GiveEachTextBack) {
         std::vector<std::string> texts;
         for (int i = 0; i < 6; ++i) {
             std::string text;
-            for (unsigned k = random() % 12; k > 0; --k)
+            for (unsigned long k = random() % 12; k > 0; --k)
                 text += std::string(1, static_cast<char>('a' + random() % 4)) + "\n";
             overlays.add(text);
             texts.push_back(text);

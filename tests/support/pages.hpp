@@ -66,17 +66,17 @@ inline Box ink_of(const TextMark& text) {
     return box;
 }
 
-/// `left`, `other`: mm from the edges of the paper to the frame.
-inline void expect_clean(const std::vector<Page>& pages, double left = 19.5, double other = 9.5) {
+/// `left`, `others`: mm from the edges of the paper to the frame.
+inline void expect_clean(const std::vector<Page>& pages, double left = 19.5, double others = 9.5) {
     ASSERT_FALSE(pages.empty());
     for (std::size_t p = 0; p < pages.size(); ++p) {
         SCOPED_TRACE("page " + std::to_string(p + 1));
         const Page& page = pages[p];
         const Box box = box_of(page.marks);
         EXPECT_GE(box.min.x, left);
-        EXPECT_GE(box.min.y, other);
-        EXPECT_LE(box.max.x, page.width - other);
-        EXPECT_LE(box.max.y, page.height - other);
+        EXPECT_GE(box.min.y, others);
+        EXPECT_LE(box.max.x, page.width - others);
+        EXPECT_LE(box.max.y, page.height - others);
         std::vector<std::pair<Box, std::string>> inks;
         for (const TextMark* text : texts_of(page)) {
             if (text->glyphs.empty() || text->angle != 0 || text->cls != "text") continue;
