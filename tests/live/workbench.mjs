@@ -20,9 +20,17 @@ export function cleanUp() {
     programs.forEach((each) => each.kill('SIGKILL'));
     rmSync(folder, {recursive: true, force: true});
 }
-/** The page has begun, and the engine has answered for the text as it is. */
-export const ready = () => page.waitForFunction(`document.documentElement.dataset.ready === 'true'`);
-export const settled = () => page.waitForFunction('!workbench.inquiry.isAsking && workbench.answer !== null');
+/** Waits for a truth in the page. (Its policy forbids the eval of playwright's own waiting.) */
+export async function until(expression) {
+    for (let i = 0; i < 600; ++i) {
+        if (await run(expression)) return;
+        await new Promise((resolve) => setTimeout(resolve, 25));
+    }
+    throw new Error(`${expression} has not come`);
+}
+/** The page has begun; the engine has answered for the text as it is. */
+export const ready = () => until(`document.documentElement.dataset.ready === 'true'`);
+export const settled = () => until('!workbench.inquiry.isAsking && workbench.answer !== null');
 /** Where a place of the plane is on the screen. */
 export async function onScreen([x, y]) {
     const box = await page.locator('#canvas').boundingBox();

@@ -8,7 +8,7 @@ import {join} from 'node:path';
 import {after, before, beforeEach, test} from 'node:test';
 import {deflateRawSync} from 'node:zlib';
 import {close, messages, open, page, protocol, run} from './browser.mjs';
-import {cleanUp, clickAt, crossTo, dragFromTo, file, fill, folder, onScreen, ready, serve, settled, text, tool} from './workbench.mjs';
+import {cleanUp, clickAt, crossTo, dragFromTo, file, fill, folder, onScreen, ready, serve, settled, text, tool, until} from './workbench.mjs';
 
 const [program, examples] = process.argv.slice(2);
 const path = join(folder, 'drawn.json'), exampleText = (name) => readFileSync(join(examples, name), 'utf8');
@@ -31,7 +31,7 @@ async function begin(size) {
 }
 const save = async () => {
     await page.keyboard.press('Control+s');
-    await page.waitForFunction('!workbench.document.isChanged');
+    await until('!workbench.document.isChanged');
 };
 const solved = (name) => JSON.parse(execFileSync(program, ['solve', name, '--format', 'json', '-o', '-'], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
 /** The results of two files whose points and bodies have other names but the same order. */
@@ -149,6 +149,7 @@ test('a slider-crank with a weight and a force is built by mouse', async () => {
     await tool('load');
     await dragFromTo([70, 0], [20, 0]);
     await tool('select');
+    await page.keyboard.press('Escape');
     await settled();
     const built = await file(), [first, second, third] = Object.keys(built.points);
     assert.deepEqual(built.joints[built.joints.length - 1], {prismatic: third, bodies: [4, 1], along: 0});
@@ -161,10 +162,9 @@ test('a slider-crank with a weight and a force is built by mouse', async () => {
     await settled();
     assert.match(await page.locator('#status').textContent(), /^✓ solved/);
     // The length of the rod keeps the slider on its guide.
-    await page.keyboard.press('Escape');
     await page.locator('#canvas').focus();
     await page.keyboard.press('Escape');
-    await page.getByRole('button', {name: 'Link 3'}).click();
+    await page.getByRole('button', {name: 'Link 3', exact: true}).click();
     await fill(`length-${second}-${third}`, '140');
     const {meet} = (await file()).points[third];
     assert.deepEqual(meet, [{circle: second, radius: 140}, {line: [70, 0], angle: 0}]);
@@ -269,7 +269,7 @@ test('a file that was changed elsewhere is not written over unasked', async () =
     assert.equal(readFileSync(path, 'utf8'), elsewhere);
     await page.keyboard.press('Control+s');
     await page.locator('#question-yes').click();
-    await page.waitForFunction('!workbench.document.isChanged');
+    await until('!workbench.document.isChanged');
     assert.equal(readFileSync(path, 'utf8'), await text());
     assert.equal(JSON.parse(readFileSync(path, 'utf8')).title.en, 'Mine');
 });

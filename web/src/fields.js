@@ -32,7 +32,12 @@ export function row(name, control, unit = '') {
  */
 export function field(name, value, change, {unit = '', id = '', text = false, hint = ''} = {}) {
     const input = html('input', {value, id: id || null, autocomplete: 'off', spellcheck: 'false', title: hint || null, inputmode: text ? 'text' : null});
-    const take = () => input.value !== value && change(text ? input.value : typed(input.value), input.value);
+    const take = () => {
+        if (input.value === value) return;
+        // From here on the field may be shown anew.
+        input.defaultValue = input.value;
+        change(text ? input.value : typed(input.value), input.value);
+    };
     input.addEventListener('change', take);
     input.addEventListener('keydown', (event) => {
         if (event.key === 'Escape') {

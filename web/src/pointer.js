@@ -64,6 +64,8 @@ export class Pointer {
     /** @param {PointerEvent} event */
     press(event) {
         const at = this.at(event), {bench} = this;
+        // What is being typed elsewhere is taken first.
+        this.root.focus({preventScroll: true});
         this.root.setPointerCapture(event.pointerId);
         this.down.set(event.pointerId, at);
         this.hasMoved = false;
