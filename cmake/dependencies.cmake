@@ -19,6 +19,9 @@ target_link_libraries(kinegraph_headers INTERFACE PkgConfig::gmp)
 target_include_directories(kinegraph_headers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
 target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)
 
+# Sums in the order of their terms, so that the check's last digits are the same on every machine.
+target_compile_definitions(kinegraph_headers INTERFACE EIGEN_DONT_VECTORIZE)
+
 # What the library links.
 set(linked_libraries PkgConfig::gmp PkgConfig::mpfr PkgConfig::ginac PkgConfig::cairo PkgConfig::harfbuzz_subset
     PkgConfig::harfbuzz PkgConfig::freetype PkgConfig::png PkgConfig::nettle PkgConfig::zip pugixml::pugixml)

@@ -9,6 +9,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/law_breaks.hpp"
 #include "engine/motion/closure.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
@@ -126,7 +127,7 @@ private:
     /// Transforms from the cam to the position that is drawn.
     Spot placed(const Spot& on_cam) const {
         const double angle = geometry_.sense() * cycle_.at;
-        return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam);
+        return faced(Spot{nearest::cos(angle), nearest::sin(angle)}, on_cam);
     }
     Spot placed(const CamState& state, const Spot& place) const {
         return placed(state.on_cam(place, geometry_.sense()));
@@ -134,7 +135,7 @@ private:
     render::RichText named(Key key) const { return render::one_piece(render::word(key, language_)); }
 
     static Spot circle_about(const Spot& centre, double radius, double angle) {
-        return centre + radius * Spot{std::cos(angle), std::sin(angle)};
+        return centre + radius * Spot{nearest::cos(angle), nearest::sin(angle)};
     }
     /// Kinematic inversion: the cam fixed, the follower turned round it against the cam's rotation, in twelve numbered
     /// positions from the beginning of the law.

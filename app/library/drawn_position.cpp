@@ -4,6 +4,7 @@
 
 #include "app/library/state.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -18,7 +19,7 @@ public:
     void add(const std::string& place, const Vector& direction) {
         if (!has_direction(direction)) return;
         const VectorOf<double> along = to_double(direction);
-        all_.push_back({place, std::atan2(along.y, along.x)});
+        all_.push_back({place, nearest::atan2(along.y, along.x)});
     }
     void add(const Load& load) {
         std::visit(

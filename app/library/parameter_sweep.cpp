@@ -21,6 +21,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/operands.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -33,7 +34,7 @@ namespace {
 
 /// The value in SI, but angles in degrees, as formulas use them.
 double si_of(const Measured& value) {
-    return value.value.to_double() * std::pow(std::numbers::pi / 180, value.dimension.angle);
+    return value.value.to_double() * nearest::pow(std::numbers::pi / 180, value.dimension.angle);
 }
 
 /// The value of an option. `name`: its name in messages.

@@ -14,6 +14,7 @@
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/place_rules.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -171,7 +172,7 @@ private:
     double direction_of(const Body& body) const {
         for (std::size_t i = 1; i < body.points.size(); ++i) {
             const Vector along = pose_.at(body.points[i]) - pose_.at(body.points[0]);
-            if (!along.is_zero()) return std::atan2(along.y.to_double(), along.x.to_double());
+            if (!along.is_zero()) return nearest::atan2(along.y.to_double(), along.x.to_double());
         }
         return 0;
     }

@@ -16,6 +16,7 @@
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/positions.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/number/geometry.hpp"
 
 namespace kinegraph {
@@ -72,7 +73,7 @@ bool has_distributed_load(const Mechanism& mechanism, BodyIndex body) {
 // --- numbers
 
 Spot turned_by(const Spot& a, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = nearest::cos(angle), s = nearest::sin(angle);
     return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
@@ -132,7 +133,7 @@ private:
             const std::vector<PointIndex>& points = mechanism.bodies[b].points;
             for (std::size_t i = 1; i < points.size() && !all[b]; ++i) {
                 const Spot along = to_double(pose.at(points[i]) - pose.at(points[0]));
-                if (along.x != 0 || along.y != 0) all[b] = std::atan2(along.y, along.x);
+                if (along.x != 0 || along.y != 0) all[b] = nearest::atan2(along.y, along.x);
             }
         }
         return all;
@@ -145,7 +146,7 @@ private:
         turns_.assign(now.size(), 0);
         known[0] = true;
         const auto take = [&](std::size_t body, double turn) {
-            turns_[body] = std::remainder(turn, 2 * std::acos(-1.0));
+            turns_[body] = std::remainder(turn, 2 * nearest::acos(-1.0));
             known[body] = true;
         };
         for (std::size_t b = 1; b < now.size(); ++b)
@@ -154,7 +155,8 @@ private:
             const BodyIndex body = moving_.joints[k].turns_with;
             if (body == none || known[at_index(body)]) continue;
             const Spot &first = moving_.joints[k].guide, &guide = positions.joint_rules()[k].guide;
-            if (first.x != 0 || first.y != 0) take(at_index(body), std::atan2(cross(first, guide), dot(first, guide)));
+            if (first.x != 0 || first.y != 0)
+                take(at_index(body), nearest::atan2(cross(first, guide), dot(first, guide)));
         }
         for (std::size_t pass = 0; pass < now.size(); ++pass) {
             for (const auto& row : moving_.rows) {
@@ -169,8 +171,8 @@ private:
     /// A place or length of a body, in the first orientation and unit.
     Spot of(BodyIndex body, const Spot& local) const { return turned_by(share_ * local, -turn(body)); }
     static Spot as_long_as(const Spot& first, const Spot& now) {
-        const double size = std::hypot(now.x, now.y);
-        return size == 0 ? now : (std::hypot(first.x, first.y) / size) * now;
+        const double size = nearest::hypot(now.x, now.y);
+        return size == 0 ? now : (nearest::hypot(first.x, first.y) / size) * now;
     }
 
     bool read_row(std::size_t r, const ClosureRowOf<double>& row) {
@@ -181,7 +183,7 @@ private:
         Spot p = of(row.i, row.p), q = of(row.j, row.q), along = row.along;
         double offset = share_ * row.offset;
         if (row.kind == Kind::turns) {
-            numbers_.add(List::row, -1, r, 6, row.driver >= 0 ? 0 : std::remainder(against, 2 * std::acos(-1.0)));
+            numbers_.add(List::row, -1, r, 6, row.driver >= 0 ? 0 : std::remainder(against, 2 * nearest::acos(-1.0)));
             return true;
         }
         if (row.kind == Kind::on_line) {
@@ -282,7 +284,7 @@ private:
         for (const MovingSetting& each : moving_.settings) {
             const bool is_length = each.kind == MovingSetting::Kind::bar || each.kind == MovingSetting::Kind::ground;
             const Spot apart = is_length ? to_double(pose.at(each.ends[1]) - pose.at(each.ends[0])) : Spot{0, 0};
-            numbers_.lengths.push_back(std::hypot(apart.x, apart.y) / moving_.unit);
+            numbers_.lengths.push_back(nearest::hypot(apart.x, apart.y) / moving_.unit);
         }
     }
     /// They are stored in the samples of a travel, and must not change.
@@ -382,7 +384,7 @@ private:
         std::array<double, 2> deltas(double more) const {
             if (radians == 0) return {more, 0};
             const double now = (parameter.number + more) * radians, then = parameter.number * radians;
-            return {std::cos(now) - std::cos(then), std::sin(now) - std::sin(then)};
+            return {nearest::cos(now) - nearest::cos(then), nearest::sin(now) - nearest::sin(then)};
         }
         double largest() const {  // largest Δ of a step
             const auto all = deltas(step);
@@ -604,7 +606,7 @@ std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& po
         length.unit = QuantityKind::length;
         length.ends = {from, to};
         const Spot along = to_double(pose.at(to) - pose.at(from));
-        length.value = std::hypot(along.x, along.y);
+        length.value = nearest::hypot(along.x, along.y);
         lengths.push_back(std::move(length));
     };
     const auto carriers = carriers_of(mechanism);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/mechanism/drivers.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -45,7 +46,7 @@ std::vector<MovingSetting> settings_of(const Mechanism& mechanism) {
         const auto* force = std::get_if<ForceLoad>(&mechanism.loads[i]);
         if (force != nullptr && force->value)
             add({Kind::load, of, force->name, QuantityKind::force,
-                 std::hypot(force->value->x.to_double(), force->value->y.to_double())});
+                 nearest::hypot(force->value->x.to_double(), force->value->y.to_double())});
         if (force != nullptr && force->magnitude)
             add({Kind::load, of, force->name, QuantityKind::force, force->magnitude->first.to_double()});
     }

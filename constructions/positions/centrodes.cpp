@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constructions/positions/cycle.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
@@ -13,7 +14,7 @@ namespace {
 using Spot = Centrodes::Spot;
 using Kind = Quantity::Kind;
 
-double size_of(const Spot& v) { return std::hypot(v.x, v.y); }
+double size_of(const Spot& v) { return nearest::hypot(v.x, v.y); }
 
 /// The moving driver has unit rate, since the centrodes do not depend on it; the others rest.
 Mechanism at_unit_rate(Mechanism mechanism, int driver) {

@@ -19,6 +19,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/sliding.hpp"
@@ -59,7 +60,7 @@ std::vector<double> drawn_directions(const Mechanism& mechanism, const Pose& pos
         for (std::size_t i = 1; i < body.points.size() && angle == 0; ++i) {
             const Spot along = to_double(pose.at(body.points[i]) - pose.at(body.points[0]));
             if (along.x == 0 && along.y == 0) continue;
-            angle = std::atan2(along.y, along.x);
+            angle = nearest::atan2(along.y, along.x);
             break;
         }
         directions.push_back(angle);

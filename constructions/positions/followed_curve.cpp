@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -105,7 +107,7 @@ double smooth_root(const std::function<std::optional<double>(double)>& g, double
 double FollowedCurve::Stretch::at(double t) const {
     const double way = to - from;
     if (starts_at_limit && ends_at_limit) {
-        const double half = std::sin(half_turn / 2 * t);
+        const double half = nearest::sin(half_turn / 2 * t);
         return t < 0.5 ? from + way * half * half : to - way * (1 - half) * (1 + half);
     }
     if (starts_at_limit) return from + way * t * t;
@@ -115,7 +117,7 @@ double FollowedCurve::Stretch::at(double t) const {
 
 double FollowedCurve::Stretch::slope(double t) const {
     const double way = to - from;
-    if (starts_at_limit && ends_at_limit) return way * half_turn / 2 * std::sin(half_turn * t);
+    if (starts_at_limit && ends_at_limit) return way * half_turn / 2 * nearest::sin(half_turn * t);
     if (starts_at_limit) return 2 * way * t;
     if (ends_at_limit) return 2 * way * (1 - t);
     return way;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <variant>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -12,7 +14,7 @@ bool is_between(const Bearing& bearing) { return std::holds_alternative<Bearing:
 
 Spot direction(const Places& places, PointIndex from, PointIndex to) {
     const Spot way = places.points[at_index(to)] - places.points[at_index(from)];
-    return (1 / std::hypot(way.x, way.y)) * way;
+    return (1 / nearest::hypot(way.x, way.y)) * way;
 }
 Spot direction(const Places& places, const Bearing& bearing) {
     const auto& ends = std::get<Bearing::Between>(bearing.form);
@@ -87,7 +89,7 @@ ValueOf<double> GivensHere::value_of_load(const Given& given, const Places& plac
     if (given.kind == Given::Kind::load_magnitude) {
         const SpringLoad::Elastic& elastic = *std::get<SpringLoad>(load).elastic;
         const Spot apart = places.points[at_index(ends[1])] - places.points[at_index(ends[0])];
-        return elastic.stiffness.to_double() * (std::hypot(apart.x, apart.y) - elastic.free_length.to_double());
+        return elastic.stiffness.to_double() * (nearest::hypot(apart.x, apart.y) - elastic.free_length.to_double());
     }
     return given.kind == Given::Kind::load_unit ? direction(places, ends[0], ends[1])
                                                 : direction(places, ends[1], ends[0]);

@@ -7,6 +7,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
@@ -54,7 +55,7 @@ double angle_of(const Body& body, const Pose& pose) {
     const auto line = line_of(body, pose);
     if (!line) return 0;
     const Spot along = to_double(pose.at((*line)[1]) - pose.at((*line)[0]));
-    return std::atan2(along.y, along.x);
+    return nearest::atan2(along.y, along.x);
 }
 
 /// The values of a solution in its own position.

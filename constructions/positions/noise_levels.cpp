@@ -6,11 +6,12 @@
 #include <variant>
 
 #include "engine/mechanism/drivers.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
 
-double length_of_vector(const Vector& v) { return std::hypot(v.x.to_double(), v.y.to_double()); }
+double length_of_vector(const Vector& v) { return nearest::hypot(v.x.to_double(), v.y.to_double()); }
 
 /// The largest rates of a driver along its law, if it has one.
 std::pair<double, double> largest_rates(const Driver& driver) {

@@ -11,6 +11,7 @@
 #include "constructions/verdicts/force_comparison.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/numeric_result.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/magnitudes.hpp"
@@ -23,7 +24,7 @@ namespace {
 using Pair = std::array<double, 2>;
 
 Pair minus(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double length(const Pair& a) { return std::hypot(a[0], a[1]); }
+double length(const Pair& a) { return nearest::hypot(a[0], a[1]); }
 
 class Comparer {
 public:

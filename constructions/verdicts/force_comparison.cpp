@@ -7,6 +7,7 @@
 
 #include "engine/check/check_forces.hpp"
 #include "engine/drawing/spring_force.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -39,7 +40,7 @@ private:
     using Kind = Quantity::Kind;
     using Pair = std::array<double, 2>;
 
-    static double magnitude(const Pair& a) { return std::hypot(a[0], a[1]); }
+    static double magnitude(const Pair& a) { return nearest::hypot(a[0], a[1]); }
     void add(const Quantity& quantity, double graphical, double independent) {
         comparison_.rows.push_back({quantity, graphical, independent, graphical - independent});
     }

@@ -9,6 +9,7 @@
 
 #include "engine/board/replay.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/number/geometry.hpp"
 #include "lang/keys/sentences.hpp"
 
@@ -116,13 +117,13 @@ private:
                 if (each->is_turned && !turn(each->reason)) return;
         if (!is_new(one->reason, other->reason)) return;
         messages_.push_back({lang::sentences::nearly_parallel,
-                             {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
+                             {one->reason, other->reason, Amount{nearest::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
     /// Most are; doubles decide with a wide margin for rounding.
     static bool are_clearly_apart(const Vector& d, const Vector& e) {
         const VectorOf<double> first{d.x.to_double(), d.y.to_double()}, second{e.x.to_double(), e.y.to_double()};
         return std::abs(cross(first, second)) >
-               2 * nearly * std::hypot(first.x, first.y) * std::hypot(second.x, second.y);
+               2 * nearly * nearest::hypot(first.x, first.y) * nearest::hypot(second.x, second.y);
     }
     static bool share_a_point(const NamedDirection& one, const NamedDirection& other) {
         if (one.from == none || other.from == none) return false;

@@ -16,6 +16,7 @@
 
 #include "engine/check/plane_pair.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "engine/number/wide.hpp"
 
 namespace kinegraph {
 namespace {
@@ -45,7 +46,7 @@ struct Solved {
     std::vector<bool> known;  ///< by column: whether it is zero in every motion of the null space
 };
 
-/// Solves the rows in the least-squares sense with one step of refinement in long double.
+/// Solves the rows in the least-squares sense with one step of refinement, its residuals in twice the digits.
 class System {
 public:
     /// `rounding`: error of the points, as a share of the drawing's size.
@@ -127,9 +128,9 @@ private:
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
         Eigen::VectorXd miss(right.size());
         for (Eigen::Index i = 0; i < matrix_.rows(); ++i) {
-            long double sum = right[i];
-            for (Eigen::Index j = 0; j < columns_; ++j) sum -= static_cast<long double>(matrix_(i, j)) * x[j];
-            miss[i] = static_cast<double>(sum);
+            wide::Wide sum{right[i]};
+            for (Eigen::Index j = 0; j < columns_; ++j) sum = sum - wide::product_of(matrix_(i, j), x[j]);
+            miss[i] = sum.rounded();
         }
         return miss;
     }

@@ -37,9 +37,9 @@ struct NumericMotion {
 
 /// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is
 /// marked as unknown. Lengths are scaled by the drawing's size. LU is used where the equations are square and regular,
-/// otherwise rank-revealing QR. One step of refinement with residuals in long double keeps the error near 1e-13 of the
-/// largest velocity unless the mechanism is close to a dead point. If drivers contradict each other or the pose, every
-/// body is unknown.
+/// otherwise rank-revealing QR. One step of refinement with residuals in twice the digits keeps the error near 1e-13 of
+/// the largest velocity unless the mechanism is close to a dead point. If drivers contradict each other or the pose,
+/// every body is unknown.
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

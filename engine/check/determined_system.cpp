@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/wide.hpp"
+
 namespace kinegraph::numeric {
 namespace {
 
@@ -85,9 +87,9 @@ std::optional<Pair> DeterminedSystem::common_direction(Index first) const {
 Eigen::VectorXd DeterminedSystem::scaled_residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
     Eigen::VectorXd miss(right.size());
     for (Index i = 0; i < matrix_.rows(); ++i) {
-        long double sum = right[i];
-        for (Index j = 0; j < matrix_.cols(); ++j) sum -= static_cast<long double>(matrix_(i, j)) * x[j];
-        miss[i] = static_cast<double>(sum);
+        wide::Wide sum{right[i]};
+        for (Index j = 0; j < matrix_.cols(); ++j) sum = sum - wide::product_of(matrix_(i, j), x[j]);
+        miss[i] = sum.rounded();
     }
     return miss;
 }

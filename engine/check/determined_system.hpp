@@ -1,6 +1,6 @@
 // A system of linear equations that need not determine all of its unknowns: one solution, and what all solutions have
 // in common. Householder's QR with column pivoting (Businger and Golub 1965) gives rank and null space; residuals in
-// long double refine the solution.
+// twice the digits refine the solution.
 #pragma once
 
 #include <Eigen/Dense>

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph::numeric {
 
 GivenLoads::GivenLoads(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion)
@@ -16,7 +18,7 @@ GivenLoads::GivenLoads(const Mechanism& mechanism, const Pose& pose, const Numer
     }
     const double size = pose.size.to_double();
     for (const Given& each : given_) {
-        unit_ = std::max({unit_, std::hypot(each.force[0], each.force[1]), std::abs(each.couple) / size});
+        unit_ = std::max({unit_, nearest::hypot(each.force[0], each.force[1]), std::abs(each.couple) / size});
     }
     if (unit_ == 0) unit_ = 1;
 }
@@ -35,7 +37,7 @@ void GivenLoads::take(const SpringLoad& load) {
     const Vector& q = pose_.at(load.between[1]);
     if (p == q) return;  // the direction of the pull is undefined
     const Pair apart = rough(q - p);
-    const double stretch = std::hypot(apart[0], apart[1]);
+    const double stretch = nearest::hypot(apart[0], apart[1]);
     const double size = load.elastic
                             ? load.elastic->stiffness.to_double() * (stretch - load.elastic->free_length.to_double())
                             : load.magnitude.to_double();
@@ -49,7 +51,7 @@ void GivenLoads::take(const DistributedLoad& load) {
     const Vector &p = pose_.at(load.from), &q = pose_.at(load.to);
     const Pair along = unit_along(direction_of(load.along, pose_), pose_);
     const Pair apart = rough(q - p);
-    const double sixth = std::hypot(apart[0], apart[1]) / 6;
+    const double sixth = nearest::hypot(apart[0], apart[1]) / 6;
     const double first = load.intensity[0].to_double(), last = load.intensity[1].to_double();
     given_.push_back({load.body, sixth * first * along, p, 0});
     given_.push_back({load.body, 2 * sixth * (first + last) * along, Exact::ratio(1, 2) * (p + q), 0});

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/motion/closure.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -562,8 +563,8 @@ private:
         else
             solved.kind = Solved::Kind::two_slides;
         const std::array<double, 2> k = resultant(loop, -1);
-        solved.resultant = std::hypot(k[0], k[1]);
-        solved.direction = std::atan2(k[1], k[0]);
+        solved.resultant = nearest::hypot(k[0], k[1]);
+        solved.direction = nearest::atan2(k[1], k[0]);
         if (e_.by_tangent.empty()) find_dead_points(loop);
     }
     /// The sum of the unknown sides, the first of them counted forwards, without an excluded side.
@@ -653,7 +654,7 @@ private:
             limits.change_points.push_back(turn(cosine > 0 ? from : from + std::numbers::pi));
             return;
         }
-        const double half = std::acos(cosine);
+        const double half = nearest::acos(cosine);
         for (const double each : {from + half, from - half}) limits.dead_points.push_back(turn(each));
     }
 
@@ -663,8 +664,8 @@ private:
         Limits limits;
         const double b = e_.letter(loop.sides[at_index(solved.first)].length).value;
         const double along = value_of(e_, loop.sides[at_index(solved.second)].angle) + std::numbers::pi / 2;
-        const double across = driven.rest[0] * std::cos(along) + driven.rest[1] * std::sin(along),
-                     tilt = std::cos(driven.own - along);
+        const double across = driven.rest[0] * nearest::cos(along) + driven.rest[1] * nearest::sin(along),
+                     tilt = nearest::cos(driven.own - along);
         for (const double reach : {b, -b}) {
             if (driven.turning)
                 add_turns(limits, driven, (reach - across) / driven.length, along);
@@ -689,7 +690,8 @@ private:
     /// |rest + own| = reach.
     Limits limits_of_reach(const Equations::Loop& loop, const DrivenSide& driven) const {
         Limits limits;
-        const double w = std::hypot(driven.rest[0], driven.rest[1]), to = std::atan2(driven.rest[1], driven.rest[0]);
+        const double w = nearest::hypot(driven.rest[0], driven.rest[1]),
+                     to = nearest::atan2(driven.rest[1], driven.rest[0]);
         const double length = driven.length;
         for (const double reach : limiting_reaches(loop)) {
             if (driven.turning) {
@@ -697,7 +699,7 @@ private:
                     add_turns(limits, driven, (reach * reach - w * w - length * length) / (2 * w * length), to);
                 continue;
             }
-            const double middle = -w * std::cos(driven.own - to), inside = reach * reach - w * w + middle * middle;
+            const double middle = -w * nearest::cos(driven.own - to), inside = reach * reach - w * w + middle * middle;
             const double grain = touching * (reach * reach + w * w);
             if (inside < -grain) continue;
             if (inside <= grain) {
@@ -717,7 +719,7 @@ private:
         const Side &rod = loop.sides[at_index(solved.first)], &slide = loop.sides[at_index(solved.second)];
         const double b = e_.letter(rod.length).value, along = value_of(e_, slide.angle);
         const double sign = rod.on_the_right == slide.on_the_right ? 1 : -1;
-        const double ux = std::cos(along), uy = std::sin(along);
+        const double ux = nearest::cos(along), uy = nearest::sin(along);
         const double r = driven.length;
         // lead: b e^{iβ} + sign s u = rest + r e^{iα}.
         const double ahead = sign * (driven.rest[0] * ux + driven.rest[1] * uy),
@@ -728,7 +730,7 @@ private:
             const double s = ahead + side * std::sqrt(reach * reach - across * across);
             const double x = sign * s * ux - driven.rest[0], y = sign * s * uy - driven.rest[1];
             const bool against = reach < r + b && r < b;  // the crank points away from the rod's end
-            const double direction = std::atan2(y, x) + (against ? std::numbers::pi : 0);
+            const double direction = nearest::atan2(y, x) + (against ? std::numbers::pi : 0);
             solved.standstills.emplace_back(
                 std::remainder(direction - driven.own + e_.letter(driven.driver).value, 2 * std::numbers::pi), s);
         }
@@ -750,7 +752,7 @@ void complete(Equations& equations, const Mechanism&, const Pose& pose,
 
 double value_of(const Equations& equations, const Equations::Angle& angle) {
     const Vector unit = unit_of(equations, angle);
-    return std::atan2(unit.y.to_double(), unit.x.to_double());
+    return nearest::atan2(unit.y.to_double(), unit.x.to_double());
 }
 std::array<double, 2> value_of(const Equations& equations, const Side& side) {
     const Vector unit = unit_of(equations, side.angle);

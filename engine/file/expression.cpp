@@ -10,6 +10,7 @@
 
 #include "engine/file/error.hpp"
 #include "engine/file/formula_syntax.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/expressions.hpp"
 
 namespace kinegraph {
@@ -476,23 +477,23 @@ constexpr double not_real = std::numeric_limits<double>::quiet_NaN();
 Jet derivatives(Elementary function, double u) {
     const double root = std::sqrt(1 - u * u);
     switch (function) {
-        case Elementary::sin: return {std::sin(u), std::cos(u), -std::sin(u)};
-        case Elementary::cos: return {std::cos(u), -std::sin(u), -std::cos(u)};
+        case Elementary::sin: return {nearest::sin(u), nearest::cos(u), -nearest::sin(u)};
+        case Elementary::cos: return {nearest::cos(u), -nearest::sin(u), -nearest::cos(u)};
         case Elementary::tan: {
-            const double tan = std::tan(u), slope = 1 + tan * tan;
+            const double tan = nearest::tan(u), slope = 1 + tan * tan;
             return {tan, slope, 2 * tan * slope};
         }
-        case Elementary::asin: return {std::asin(u), 1 / root, u / (root * root * root)};
-        case Elementary::acos: return {std::acos(u), -1 / root, -u / (root * root * root)};
-        case Elementary::atan: return {std::atan(u), 1 / (1 + u * u), -2 * u / ((1 + u * u) * (1 + u * u))};
-        case Elementary::sinh: return {std::sinh(u), std::cosh(u), std::sinh(u)};
-        case Elementary::cosh: return {std::cosh(u), std::sinh(u), std::cosh(u)};
+        case Elementary::asin: return {nearest::asin(u), 1 / root, u / (root * root * root)};
+        case Elementary::acos: return {nearest::acos(u), -1 / root, -u / (root * root * root)};
+        case Elementary::atan: return {nearest::atan(u), 1 / (1 + u * u), -2 * u / ((1 + u * u) * (1 + u * u))};
+        case Elementary::sinh: return {nearest::sinh(u), nearest::cosh(u), nearest::sinh(u)};
+        case Elementary::cosh: return {nearest::cosh(u), nearest::sinh(u), nearest::cosh(u)};
         case Elementary::tanh: {
-            const double tanh = std::tanh(u), slope = 1 - tanh * tanh;
+            const double tanh = nearest::tanh(u), slope = 1 - tanh * tanh;
             return {tanh, slope, -2 * tanh * slope};
         }
-        case Elementary::exp: return {std::exp(u), std::exp(u), std::exp(u)};
-        case Elementary::log: return {u > 0 ? std::log(u) : not_real, 1 / u, -1 / (u * u)};
+        case Elementary::exp: return {nearest::exp(u), nearest::exp(u), nearest::exp(u)};
+        case Elementary::log: return {u > 0 ? nearest::log(u) : not_real, 1 / u, -1 / (u * u)};
         case Elementary::abs: return {std::abs(u), u < 0 ? -1.0 : 1.0, 0};
     }
     return {};
@@ -514,13 +515,13 @@ Estimate applied(Elementary function, const Estimate& u) {
     return {value, carried + unit_roundoff * std::abs(value)};
 }
 Estimate raised(const Estimate& base, const Estimate& exponent, bool /*constant_exponent*/) {
-    const double value = std::pow(base.value, exponent.value);
+    const double value = nearest::pow(base.value, exponent.value);
     double noise = unit_roundoff * std::abs(value);
     if (base.noise > 0 && exponent.value != 0) {
-        const double slope = exponent.value * std::pow(base.value, exponent.value - 1);
+        const double slope = exponent.value * nearest::pow(base.value, exponent.value - 1);
         noise += std::isfinite(slope) ? std::abs(slope) * base.noise : 0;
     }
-    if (exponent.noise > 0 && base.value > 0) noise += std::abs(value * std::log(base.value)) * exponent.noise;
+    if (exponent.noise > 0 && base.value > 0) noise += std::abs(value * nearest::log(base.value)) * exponent.noise;
     return {value, noise};
 }
 
@@ -537,9 +538,9 @@ Jet applied(Elementary function, const Jet& u) { return composed(derivatives(fun
 Jet raised(const Jet& base, const Jet& exponent, bool constant_exponent) {
     if (constant_exponent) {
         const double n = exponent[0];
-        const double value = std::pow(base[0], n);
-        const double first = n == 0 ? 0 : n * std::pow(base[0], n - 1);
-        const double second = n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(base[0], n - 2);
+        const double value = nearest::pow(base[0], n);
+        const double first = n == 0 ? 0 : n * nearest::pow(base[0], n - 1);
+        const double second = n == 0 || n == 1 ? 0 : n * (n - 1) * nearest::pow(base[0], n - 2);
         return composed({value, first, second}, base);
     }
     return applied(Elementary::exp, times(exponent, applied(Elementary::log, base)));

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -46,7 +48,7 @@ Range outside_domain() { return {Values::whole(), false, true}; }
 /// base^n for a whole n.
 Range whole_power(const Values& base, double n) {
     if (n < 0 && zero_in(base)) return pole();
-    const Values values = Values::hull(std::pow(base.lower(), n), std::pow(base.upper(), n));
+    const Values values = Values::hull(nearest::pow(base.lower(), n), nearest::pow(base.upper(), n));
     return {n > 0 && std::fmod(n, 2) == 0 && zero_in(base) ? hull(values, 0.0) : values};
 }
 /// Boost supports integer exponents only.
@@ -55,8 +57,9 @@ Range power(const Values& base, const Values& exponent) {
         return whole_power(base, exponent.lower());
     if (base.lower() < 0) return outside_domain();
     if (base.lower() == 0 && exponent.lower() < 0) return pole();
-    return {hull(Values::hull(std::pow(base.lower(), exponent.lower()), std::pow(base.lower(), exponent.upper())),
-                 Values::hull(std::pow(base.upper(), exponent.lower()), std::pow(base.upper(), exponent.upper())))};
+    return {
+        hull(Values::hull(nearest::pow(base.lower(), exponent.lower()), nearest::pow(base.lower(), exponent.upper())),
+             Values::hull(nearest::pow(base.upper(), exponent.lower()), nearest::pow(base.upper(), exponent.upper())))};
 }
 
 Range function(Elementary which, const Values& of) {

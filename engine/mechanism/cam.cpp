@@ -1,4 +1,5 @@
 #include "engine/mechanism/cam.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/cams.hpp"
 #include "lang/keys/positions.hpp"
 
@@ -13,10 +14,10 @@ namespace {
 
 using Spot = VectorOf<double>;
 
-Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Spot direction(double angle) { return {nearest::cos(angle), nearest::sin(angle)}; }
 Spot turned_back(const Spot& a) { return {a.y, -a.x}; }
-double size_of(const Spot& a) { return std::hypot(a.x, a.y); }
-double angle_from(const Spot& from, const Spot& to) { return std::atan2(cross(from, to), dot(from, to)); }
+double size_of(const Spot& a) { return nearest::hypot(a.x, a.y); }
+double angle_from(const Spot& from, const Spot& to) { return nearest::atan2(cross(from, to), dot(from, to)); }
 bool is_trace(const Follower& follower) { return follower.face != Follower::Face::flat; }
 
 Error fault(std::string where, Words message) { return {ErrorCode::bad_input, std::move(where), std::move(message)}; }
@@ -57,9 +58,9 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     const double cosine = is_trace(follower) ? of_arm : of_face;
     if (!(std::abs(cosine) < 1))
         return tl::unexpected(Errors{fault("/cam/follower", {lang::positions::the_follower_does_not_reach})});
-    const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
-    made.first_angle_ = is_trace(follower) ? to_pivot + std::numbers::pi - side * std::acos(cosine)
-                                           : to_pivot + side * std::acos(cosine);
+    const double to_pivot = nearest::atan2(made.pivot_.y, made.pivot_.x);
+    made.first_angle_ = is_trace(follower) ? to_pivot + std::numbers::pi - side * nearest::acos(cosine)
+                                           : to_pivot + side * nearest::acos(cosine);
     // The rise moves the follower away from the cam's centre: |C| grows, or the face's distance.
     const double grows = cross(direction(made.first_angle_), made.pivot_);
     made.rises_ = grows > 0 ? 1 : -1;
@@ -151,7 +152,7 @@ std::string written(double value) {
 std::string precision_of(const Cam& cam) {
     constexpr int digits = 10;
     const double base = (cam.base_circle / cam.units.length.si).to_double();
-    return "1e" + std::to_string(static_cast<int>(std::floor(std::log10(base))) - digits);
+    return "1e" + std::to_string(static_cast<int>(std::floor(nearest::log10(base))) - digits);
 }
 std::string written(const Spot& place) { return "[" + written(place.x) + ", " + written(place.y) + "]"; }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/mechanism/cam.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -70,7 +71,7 @@ private:
         const Spot apart = contact - each.centre;
         // Distant rollers need no square root.
         if (dot(apart, apart) > roller_ * roller_) return 0;
-        return roller_ - std::hypot(apart.x, apart.y);
+        return roller_ - nearest::hypot(apart.x, apart.y);
     }
     /// Searches the deepest position near each sample that is deeper than its neighbours.
     bool is_cut_between_positions(double turn) const {
@@ -80,7 +81,7 @@ private:
         const auto gap = [&](const Other& each) {
             if (is_flat_) return each.height - dot(each.normal, contact);
             const Spot apart = contact - each.centre;
-            return std::hypot(apart.x, apart.y) - roller_;
+            return nearest::hypot(apart.x, apart.y) - roller_;
         };
         std::vector<double> gaps;
         for (const Other& each : others_) gaps.push_back(gap(each));
@@ -104,7 +105,7 @@ private:
             const Other &a = others_[static_cast<std::size_t>(i)],
                         &b = others_[static_cast<std::size_t>((i + 1) % positions)];
             const Spot way = b.centre - a.centre;
-            largest = std::max(largest, std::hypot(way.x, way.y));
+            largest = std::max(largest, nearest::hypot(way.x, way.y));
         }
         return largest;
     }
@@ -233,12 +234,12 @@ std::vector<VectorOf<double>> working_profile(const Cam& cam, const CamGeometry&
         add(corner.before, corner.before.contact);
         constexpr double step = 2 * std::numbers::pi / 180;
         const Spot from = corner.before.outward, to = corner.after.outward;
-        const double angle = std::atan2(cross(from, to), dot(from, to)), radius = cam.follower.radius.to_double();
+        const double angle = nearest::atan2(cross(from, to), dot(from, to)), radius = cam.follower.radius.to_double();
         const int steps = is_flat(cam) || radius == 0 ? 0 : static_cast<int>(std::abs(angle) / step);
         for (int k = 1; k <= steps; ++k) {
             const double turned = angle * k / (steps + 1);
-            add(corner.before,
-                corner.before.trace - radius * (std::cos(turned) * from + std::sin(turned) * quarter_turn(from)));
+            add(corner.before, corner.before.trace -
+                                   radius * (nearest::cos(turned) * from + nearest::sin(turned) * quarter_turn(from)));
         }
         add(corner.after, corner.after.contact);
     };

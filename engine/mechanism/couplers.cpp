@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -99,7 +101,7 @@ double transmission_angle(const VectorOf<double>& a, const VectorOf<double>& b, 
                           const VectorOf<double>& along) {
     const VectorOf<double> rod = b - a;
     const VectorOf<double> link = along.x == 0 && along.y == 0 ? foot - b : quarter_turn(along);
-    return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
+    return nearest::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
 }
 
 }  // namespace kinegraph

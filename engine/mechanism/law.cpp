@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/mechanism/law_curve.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 double sin_pi(double x) {
     x -= 2 * std::round(x / 2);
     if (std::abs(x) > 0.5) x = std::copysign(1, x) - x;
-    return std::sin(std::numbers::pi * x);
+    return nearest::sin(std::numbers::pi * x);
 }
 double cos_pi(double x) { return sin_pi(0.5 - std::abs(x)); }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <type_traits>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -194,7 +196,7 @@ bool looks_rounded(const Mechanism& mechanism) {
 Mechanism shifted(const Mechanism& mechanism, const Exact& length, const Exact& share, int sample) {
     Mechanism moved = mechanism;
     moved.precision = length;
-    const int digits = static_cast<int>(-std::log10(share.to_double()));
+    const int digits = static_cast<int>(-nearest::log10(share.to_double()));
     std::uint64_t number = 0;
     for_each_number(moved, [&](Exact& value, Measure measure, const Exact& unit) {
         ++number;

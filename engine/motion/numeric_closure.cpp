@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph::closing {
 namespace {
 
-Spot facing_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Spot facing_of(double angle) { return {nearest::cos(angle), nearest::sin(angle)}; }
 
 /// A row in doubles, its lengths in the closure's unit.
 ClosureRowOf<double> rough_row(const Closure::Row& row) {

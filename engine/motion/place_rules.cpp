@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph::closing {
 namespace {
@@ -67,7 +68,7 @@ Spot PlaceRules::contact_point(const BodyPlaces& bodies, const JointRule& rule) 
     for (std::size_t side = 0; side < 2; ++side) {
         if (!rule.is_straight[side]) continue;
         const Spot tangent = faced(bodies[at_index(rule.turns_with)].facing, rule.tangent);
-        const double size = std::hypot(tangent.x, tangent.y);
+        const double size = nearest::hypot(tangent.x, tangent.y);
         return centres[1 - side] - (rule.reaches[1 - side] / size) * quarter_turn(tangent);
     }
     const double apart = rule.reaches[0] - rule.reaches[1];
@@ -110,7 +111,7 @@ double PlaceRules::slid(const BodyPlaces& bodies, JointIndex joint) const {
     const JointRule& rule = joints_[at_index(joint)];
     const Spot guide = faced(bodies[at_index(rule.turns_with)].facing, rule.guide);
     const Spot apart = world(bodies, rule.bodies[0], rule.locals[0]) - world(bodies, rule.bodies[1], rule.locals[1]);
-    return unit_ * dot(guide, apart) / std::hypot(guide.x, guide.y);
+    return unit_ * dot(guide, apart) / nearest::hypot(guide.x, guide.y);
 }
 
 }  // namespace kinegraph::closing

@@ -5,13 +5,14 @@
 
 #include "engine/motion/mobility.hpp"
 #include "engine/number/elimination.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph::closing {
 namespace {
 
 /// By how much the rows are off at the current places, those too that Newton's method left out as dependent.
 double largest_excess(const NumericClosure& closure, double s) {
-    const auto facing = [](double angle) { return Spot{std::cos(angle), std::sin(angle)}; };
+    const auto facing = [](double angle) { return Spot{nearest::cos(angle), nearest::sin(angle)}; };
     const BodyPlaces& places = closure.places();
     double largest = 0;
     for (const NumericClosure::Row& row : closure.rows()) {

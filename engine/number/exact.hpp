@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 
 /// An exact rational number, always in lowest terms. Division by zero is a fault of ours (assertion).
@@ -137,7 +139,7 @@ using Vector = VectorOf<Exact>;
 /// The nearest doubles.
 inline VectorOf<double> to_double(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 /// Unit vector along a ≠ 0.
-inline VectorOf<double> unit_vector(const VectorOf<double>& a) { return (1 / std::hypot(a.x, a.y)) * a; }
+inline VectorOf<double> unit_vector(const VectorOf<double>& a) { return (1 / nearest::hypot(a.x, a.y)) * a; }
 
 /// Length as a double, for printing and drawing only.
 double length(const Vector& a);

@@ -12,6 +12,7 @@
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/operands.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -381,9 +382,9 @@ private:
             x = 0;
         }
         // Between the ends of the interval a power is monotonic, but for zero, which lies between.
-        const double value = std::pow(x, exponent);
-        const double far = std::abs(std::pow(size + base.error_x, exponent)),
-                     near = std::abs(std::pow(std::max(0.0, size - base.error_x), exponent));
+        const double value = nearest::pow(x, exponent);
+        const double far = std::abs(nearest::pow(size + base.error_x, exponent)),
+                     near = std::abs(nearest::pow(std::max(0.0, size - base.error_x), exponent));
         return {.x = value, .error_x = std::max(std::abs(far - std::abs(value)), std::abs(std::abs(value) - near))};
     }
 
@@ -396,17 +397,17 @@ private:
                     .error_x = std::sqrt(a.error_x * a.error_x + a.error_y * a.error_y)};
         }
         if (name == "sqrt") return power(a, 0.5);
-        if (name == "sin") return {.x = std::sin(a.x), .error_x = a.error_x};
-        if (name == "cos") return {.x = std::cos(a.x), .error_x = a.error_x};
+        if (name == "sin") return {.x = nearest::sin(a.x), .error_x = a.error_x};
+        if (name == "cos") return {.x = nearest::cos(a.x), .error_x = a.error_x};
         if (name == "tan") {
-            const WithinError cosine{.x = std::cos(a.x), .error_x = a.error_x};
-            return times({.x = std::sin(a.x), .error_x = a.error_x}, reciprocal(cosine));
+            const WithinError cosine{.x = nearest::cos(a.x), .error_x = a.error_x};
+            return times({.x = nearest::sin(a.x), .error_x = a.error_x}, reciprocal(cosine));
         }
         if (name == "atan2") {
             const WithinError b = of(node.parts[1]);
             const double square = a.x * a.x + b.x * b.x;
             if (!(std::sqrt(square) > a.error_x + b.error_x)) return {.x = undetermined};
-            return {.x = std::atan2(a.x, b.x),
+            return {.x = nearest::atan2(a.x, b.x),
                     .error_x = (std::abs(b.x) * a.error_x + std::abs(a.x) * b.error_x) / square};
         }
         WithinError best = a;

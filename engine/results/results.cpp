@@ -11,6 +11,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/json_parts.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/results/result_names.hpp"
@@ -57,7 +58,7 @@ Vector without_sense(Vector direction, bool pose_is_exact) {
 std::string unit(const Vector& direction) {
     const double dx = direction.x.to_double();
     const double dy = direction.y.to_double();
-    const double length = std::hypot(dx, dy);
+    const double length = nearest::hypot(dx, dy);
     return pair(number(dx / length), number(dy / length));
 }
 /// The same direction in the smallest integers; its length is arbitrary.

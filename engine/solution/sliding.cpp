@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -26,7 +28,7 @@ bool are_pinned(const Mechanism& mechanism, PointIndex point, BodyIndex one, Bod
 }  // namespace
 
 Spot direction_of_sliding(const Spot& guide, const Spot& tangent, const Spot& normal) {
-    const auto unit = [](const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; };
+    const auto unit = [](const Spot& a) { return (1 / nearest::hypot(a.x, a.y)) * a; };
     if (guide.x != 0 || guide.y != 0) return unit(guide);
     return unit(tangent.x != 0 || tangent.y != 0 ? tangent : quarter_turn(normal));
 }

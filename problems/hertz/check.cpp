@@ -1,3 +1,4 @@
+#include "engine/number/functions.hpp"
 #include "problems/hertz/hertz.hpp"
 
 #include <Eigen/Dense>
@@ -15,7 +16,7 @@ template <class Function>
 double over_all(Function f) {
     constexpr double step = 0.2, ends = 90;
     double sum = 0;
-    for (double w = -ends; w <= ends; w += step) sum += f(std::exp(w)) * std::exp(w);
+    for (double w = -ends; w <= ends; w += step) sum += f(nearest::exp(w)) * nearest::exp(w);
     return step * sum;
 }
 /// Gaussian quadrature with 48 nodes, from one end to the other.
@@ -103,12 +104,12 @@ private:
         const double ratio = curvature(0) / curvature(1);
         double low = -14, high = 0;
         for (int i = 0; i < 60 && ratio < 1 - 1e-12; ++i) {
-            const double middle = 0.5 * (low + high), k = std::exp(middle);
+            const double middle = 0.5 * (low + high), k = nearest::exp(middle);
             (along(k) / across(k) < ratio ? low : high) = middle;
         }
-        const double k = ratio < 1 - 1e-12 ? std::exp(0.5 * (low + high)) : 1;
+        const double k = ratio < 1 - 1e-12 ? nearest::exp(0.5 * (low + high)) : 1;
         const double c = 3 * load_ / (4 * pi * found_.modulus);
-        found_.a = std::cbrt(c * along(k) / curvature(0));
+        found_.a = nearest::cbrt(c * along(k) / curvature(0));
         found_.b = k * found_.a;
         found_.approach = c * over_all([&](double s) { return 1 / denominator(k, s); }) / found_.a;
         found_.greatest = load_ / (found_.a * found_.b * volume_of_unit_pressure());
@@ -117,7 +118,8 @@ private:
     }
     /// Volume of the semi-ellipsoid on the unit circle, by quadrature over its radius r = sin u.
     static double volume_of_unit_pressure() {
-        return gauss().between(0, pi / 2, [](double u) { return 2 * pi * std::sin(u) * std::cos(u) * std::cos(u); });
+        return gauss().between(0, pi / 2,
+                               [](double u) { return 2 * pi * nearest::sin(u) * nearest::cos(u) * nearest::cos(u); });
     }
 
     /// ∫ q(t)/(x − t) dt = πx on −1 … 1 with q = g √(1 − t²): g at the nodes of Chebyshev's second kind, the equation
@@ -127,17 +129,17 @@ private:
         Eigen::MatrixXd system(n + 1, n);
         Eigen::VectorXd right(n + 1);
         for (int r = 0; r <= n; ++r) {
-            const double x = std::cos((2 * r + 1) * pi / (2 * (n + 1)));
+            const double x = nearest::cos((2 * r + 1) * pi / (2 * (n + 1)));
             right(r) = pi * x;
             for (int k = 0; k < n; ++k) {
-                const double angle = (k + 1) * pi / (n + 1), sine = std::sin(angle);
-                system(r, k) = pi / (n + 1) * sine * sine / (x - std::cos(angle));
+                const double angle = (k + 1) * pi / (n + 1), sine = nearest::sin(angle);
+                system(r, k) = pi / (n + 1) * sine * sine / (x - nearest::cos(angle));
             }
         }
         const Eigen::VectorXd g = system.colPivHouseholderQr().solve(right);
         double integral = 0;
         for (int k = 0; k < n; ++k) {
-            const double sine = std::sin((k + 1) * pi / (n + 1));
+            const double sine = nearest::sin((k + 1) * pi / (n + 1));
             integral += pi / (n + 1) * sine * sine * g(k);
         }
         double curvature = 0;
@@ -158,8 +160,9 @@ private:
         const auto add = [&](double from, double to) {
             const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
             for (int i = 0; i < Gauss::size; ++i) {
-                const double u = middle + half * gauss().nodes(i), y = b * std::sin(u), r2 = y * y + z * z;
-                const double force = found_.greatest * std::cos(u) * b * std::cos(u) * half * gauss().weights(i);
+                const double u = middle + half * gauss().nodes(i), y = b * nearest::sin(u), r2 = y * y + z * z;
+                const double force =
+                    found_.greatest * nearest::cos(u) * b * nearest::cos(u) * half * gauss().weights(i);
                 stress -= 2 * force * z / (pi * r2 * r2) * Eigen::Vector2d(y * y, z * z);
             }
         };
@@ -196,10 +199,10 @@ private:
         constexpr int around = 64;  // per quarter
         double difference = 0;
         for (int i = 0; i < Gauss::size; ++i) {
-            const double u = pi / 4 * (1 + gauss().nodes(i)), s = std::sin(u), c = std::cos(u);
+            const double u = pi / 4 * (1 + gauss().nodes(i)), s = nearest::sin(u), c = nearest::cos(u);
             for (int j = 0; j < around; ++j) {
-                const double v = (j + 0.5) * pi / (2 * around), x = found_.a * s * std::cos(v),
-                             y = found_.b * s * std::sin(v);
+                const double v = (j + 0.5) * pi / (2 * around), x = found_.a * s * nearest::cos(v),
+                             y = found_.b * s * nearest::sin(v);
                 const double force = 4 * found_.greatest * c * found_.a * found_.b * s * c *
                                      (pi / 4 * gauss().weights(i)) * (pi / (2 * around));
                 const double r = std::sqrt(x * x + y * y + z * z), r3 = r * r * r, sum = r + z;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/contacts.hpp"
 
 namespace kinegraph {
@@ -70,7 +71,7 @@ private:
             const auto arm = centre_of(i);
             if (!arm) continue;
             at.pitch_radii.at(i) = length(*arm);
-            const double radius = at.meshes ? length(*arm) * std::sin(at.pressure_angle) : length(*arm);
+            const double radius = at.meshes ? length(*arm) * nearest::sin(at.pressure_angle) : length(*arm);
             HertzBody& body = problem.bodies.at(i);
             body.radii = {Exact::from_double(radius), Exact::from_double(radius)};
             body.inside = {is_concave(i), is_concave(i)};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/hertz.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
@@ -61,7 +62,7 @@ private:
         const HertzBody& body = problem_.bodies.at(i);
         const double first = body.curvature(0).to_double(), second = body.curvature(1).to_double();
         if (i == 0 || problem_.line) return first;
-        const double c = std::cos(problem_.turn.to_double());
+        const double c = nearest::cos(problem_.turn.to_double());
         return first * c * c + second * (1 - c * c);
     }
 
@@ -72,16 +73,16 @@ private:
         if (curvature == 0) return {{-half_width_, 0}, {half_width_, 0}};
         // Limited by height and width of the room; the whole circle if it fits.
         const double most = std::min(half_width_, radius);
-        double angle = most < radius ? std::asin(most / radius) : pi / 2;
+        double angle = most < radius ? nearest::asin(most / radius) : pi / 2;
         if (curvature > 0 && 2 * radius <= depth + 1e-9)
             angle = pi;
-        else if (radius * (1 - std::cos(angle)) > depth)
-            angle = std::acos(std::max(-1.0, 1 - depth / radius));
+        else if (radius * (1 - nearest::cos(angle)) > depth)
+            angle = nearest::acos(std::max(-1.0, 1 - depth / radius));
         const int bulge = curvature > 0 ? down : -down;  // direction of its centre
         constexpr int pieces = 96;
         for (int i = 0; i <= pieces; ++i) {
             const double turn = angle * (2.0 * i / pieces - 1);
-            spots.push_back({radius * std::sin(turn), bulge * radius * (1 - std::cos(turn))});
+            spots.push_back({radius * nearest::sin(turn), bulge * radius * (1 - nearest::cos(turn))});
         }
         return spots;
     }
@@ -206,7 +207,7 @@ private:
         constexpr int pieces = 96;
         for (int i = 0; i <= pieces; ++i) {
             const double angle = pi * i / pieces;
-            arch.push_back({-half * std::cos(angle), -high * std::sin(angle)});
+            arch.push_back({-half * nearest::cos(angle), -high * nearest::sin(angle)});
         }
         const BodyColour& colour = theme_.body(BodyIndex(1));
         figure.marks.emplace_back(tinted(filled(arch, colour.tint)));
@@ -256,7 +257,7 @@ private:
             constexpr int pieces = 120;
             for (int i = 0; i < pieces; ++i) {
                 const double angle = 2 * pi * i / pieces;
-                outline.push_back(middle + Spot{half * std::cos(angle), strip_ * std::sin(angle)});
+                outline.push_back(middle + Spot{half * nearest::cos(angle), strip_ * nearest::sin(angle)});
             }
         } else {
             outline = corners_about(middle, {half, 0}, {0, strip_});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "engine/reading/materials.hpp"
 #include "engine/reading/problem_section.hpp"
 #include "lang/keys/common.hpp"
@@ -164,8 +165,8 @@ void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodie
     const Exact d1 = first.curvature(0) - first.curvature(1), d2 = second.curvature(0) - second.curvature(1);
     const double twice = 2 * problem.turn.to_double();
     const double s = (sum(0) + sum(1)).to_double();
-    const double d = std::sqrt(
-        std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+    const double d = std::sqrt(std::max(
+        0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * nearest::cos(twice)));
     constexpr double slenderest = 1e-9;  // A/B: beyond it, an ellipse is a line
     if (s - d > slenderest * (s + d)) return;
     const bool is_concave = first.inside[0] || first.inside[1] || second.inside[0] || second.inside[1];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "engine/results/json_parts.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
@@ -77,8 +78,8 @@ private:
         const HertzBody& body = problem_.bodies[i];
         const double nu = body.poisson.to_double(), compliance = load * (1 - nu * nu) / (pi * body.young.to_double());
         const auto datum = datum_of(problem_, i);
-        return compliance * (datum.is_axis ? 2 * std::log(4 * datum.depth / found_.b) - 1
-                                           : 2 * std::log(2 * datum.depth / found_.b) - nu / (1 - nu));
+        return compliance * (datum.is_axis ? 2 * nearest::log(4 * datum.depth / found_.b) - 1
+                                           : 2 * nearest::log(2 * datum.depth / found_.b) - nu / (1 - nu));
     }
 
     void touch_at_point() {
@@ -88,14 +89,14 @@ private:
         if (!found_.elliptic) {
             found_.radius = (Exact(1) / found_.curvature_sum).to_double();
             found_.long_curvature = found_.short_curvature = found_.curvature_sum.to_double() / 2;
-            found_.a = found_.b = std::cbrt(3 * load_ * found_.radius / (4 * found_.modulus));
+            found_.a = found_.b = nearest::cbrt(3 * load_ * found_.radius / (4 * found_.modulus));
             found_.approach = found_.a * found_.a / found_.radius;
         } else {
             // Two surfaces turned by θ against each other: Johnson 4.4, Euler's theorem on both surfaces.
             found_.curvature_sum += first.curvature(1) + second.curvature(1);
             const double sum = found_.curvature_sum.to_double(), twice = 2 * problem_.turn.to_double();
-            const double difference = std::sqrt(std::max(
-                0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+            const double difference = std::sqrt(std::max(0.0, square(d1).to_double() + square(d2).to_double() +
+                                                                  2 * (d1 * d2).to_double() * nearest::cos(twice)));
             found_.long_curvature = (sum - difference) / 4;
             found_.short_curvature = (sum + difference) / 4;
             found_.radius = 1 / (2 * std::sqrt(found_.long_curvature * found_.short_curvature));
@@ -107,14 +108,14 @@ private:
     void touch_in_ellipse() {
         const double ratio = found_.long_curvature / found_.short_curvature;
         const auto excess = [&](double logarithm) {
-            const Shape shape = shape_of(std::exp(logarithm));
+            const Shape shape = shape_of(nearest::exp(logarithm));
             return shape.along / shape.across - ratio;
         };
         constexpr double slenderest = -14;  // ln(b/a), below the smallest ratio that the reader accepts
-        const double k = excess(0) <= 0 ? 1 : std::exp(root_between(slenderest, 0, excess));
+        const double k = excess(0) <= 0 ? 1 : nearest::exp(root_between(slenderest, 0, excess));
         const Shape shape = shape_of(k);
         // A = p₀ b (K − E)/(E* e² a²) with p₀ = 3Q/2πab:  a³ = 3Q (K − E)/(2π E* A e²).
-        found_.a = std::cbrt(3 * load_ * shape.along / (2 * pi * found_.modulus * found_.long_curvature));
+        found_.a = nearest::cbrt(3 * load_ * shape.along / (2 * pi * found_.modulus * found_.long_curvature));
         found_.b = k * found_.a;
         found_.approach = 3 * load_ * shape.complete / (2 * pi * found_.a * found_.modulus);
     }
@@ -151,7 +152,7 @@ private:
 };
 
 HertzSolution::Stress stress_below_line(const HertzSolution& c, double nu, double z) {
-    const double root = std::hypot(c.b, z), p = c.greatest / c.b;
+    const double root = nearest::hypot(c.b, z), p = c.greatest / c.b;
     HertzSolution::Stress s;
     s.along_z = -p * c.b * c.b / root;
     // (b² + 2z²)/r − 2z = (r − z)²/r, which avoids cancellation at large depths.
@@ -161,7 +162,7 @@ HertzSolution::Stress stress_below_line(const HertzSolution& c, double nu, doubl
 }
 HertzSolution::Stress stress_below_circle(const HertzSolution& c, double nu, double z) {
     const double zeta = z / c.a, over = 1 / (1 + zeta * zeta);
-    const double angle = z > 0 ? std::atan2(c.a, z) : pi / 2;
+    const double angle = z > 0 ? nearest::atan2(c.a, z) : pi / 2;
     HertzSolution::Stress s;
     s.along_z = -c.greatest * over;
     s.along_x = s.along_y = -c.greatest * ((1 + nu) * (1 - zeta * angle) - 0.5 * over);
@@ -170,8 +171,8 @@ HertzSolution::Stress stress_below_circle(const HertzSolution& c, double nu, dou
 HertzSolution::Stress stress_below_ellipse(const HertzSolution& c, double nu, double z) {
     const double k = c.b / c.a, e2 = (1 - k) * (1 + k), zeta = z / c.a;
     if (e2 < 1e-6) return stress_below_circle(c, nu, z);
-    const double e = std::sqrt(e2), t = std::hypot(c.b, z) / std::hypot(c.a, z);
-    const double phi = z > 0 ? std::atan2(c.a, z) : pi / 2;
+    const double e = std::sqrt(e2), t = nearest::hypot(c.b, z) / nearest::hypot(c.a, z);
+    const double phi = z > 0 ? nearest::atan2(c.a, z) : pi / 2;
     const double first = ellint_1(e, phi), second = ellint_2(e, phi), in_k = 1 / (k * k);
     const double along = zeta * (first - second), across = zeta * (in_k * second - first);
     const double x = -0.5 * (1 - t) + along, x_nu = 1 - in_k * t + across;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/impact.hpp"
 #include "lang/keys/notation.hpp"
@@ -150,7 +151,7 @@ private:
     Words contact() const {
         const Words first = called(mechanism_.body(problem_.bodies[0].body)),
                     second = called(mechanism_.body(problem_.bodies[1].body));
-        const double along = std::atan2(found_.normal.y.to_double(), found_.normal.x.to_double());
+        const double along = nearest::atan2(found_.normal.y.to_double(), found_.normal.x.to_double());
         return Words(lang::impact::the_bodies_touch_at_p, place(found_.at), first, second,
                      amount(along, QuantityKind::angle, mechanism_.units, as_given));
     }

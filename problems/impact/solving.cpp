@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "engine/number/geometry.hpp"
 #include "lang/keys/impact.hpp"
 
@@ -115,7 +116,7 @@ private:
         for (const ImpactSolution::Body& body : found_.bodies)
             if (!body.fixed && !incident(point_at(body.centre), line_of_impact)) found_.central = false;
         found_.direct = found_.slip.is_zero();
-        found_.obliquity = std::atan2(std::abs(found_.slip.to_double()), std::abs(found_.approach.to_double()));
+        found_.obliquity = nearest::atan2(std::abs(found_.slip.to_double()), std::abs(found_.approach.to_double()));
     }
 
     // ----- phases: straight pieces of the impulse path

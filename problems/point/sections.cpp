@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/point_motion.hpp"
 #include "render/equations/equation_text.hpp"
@@ -115,7 +116,7 @@ protected:
     }
     Formula complex_number(const Vector& v, const std::string& modulus, const std::string& unit) const {
         if (v.is_zero()) return upright("0");
-        const double argument = std::atan2(v.y.to_double(), v.x.to_double());
+        const double argument = nearest::atan2(v.y.to_double(), v.x.to_double());
         return upright(modulus) +
                Formula::power(Formula::letter("e"), Formula::letter("i") + upright(" " + degrees(argument))) +
                upright(" " + unit);
@@ -279,7 +280,7 @@ private:
                     amount(circle->start.to_double(), QuantityKind::angle, mechanism_.units, 5)};
         if (const auto* line = path<LinePath>())
             return {lang::point_motion::the_point_moves_along_the_line, name(), place_words(line->from),
-                    amount(std::atan2(line->direction.y.to_double(), line->direction.x.to_double()),
+                    amount(nearest::atan2(line->direction.y.to_double(), line->direction.x.to_double()),
                            QuantityKind::angle, mechanism_.units, 5)};
         return {lang::point_motion::the_point_moves_along_a_curve, name(),
                 amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};

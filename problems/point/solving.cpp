@@ -7,6 +7,7 @@
 #include "engine/file/algebra.hpp"
 #include "engine/file/expression_gap.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/point_motion.hpp"
 
 namespace kinegraph {
@@ -34,8 +35,10 @@ Estimate operator/(const Estimate& a, const Estimate& b) {
 }
 Estimate certain(double value) { return {value, std::numeric_limits<double>::epsilon() * std::abs(value)}; }
 Estimate certain(const Exact& value) { return certain(value.to_double()); }
-Estimate cosine(const Estimate& a) { return {std::cos(a.value), std::abs(std::sin(a.value)) * a.noise + 1e-16}; }
-Estimate sine(const Estimate& a) { return {std::sin(a.value), std::abs(std::cos(a.value)) * a.noise + 1e-16}; }
+Estimate cosine(const Estimate& a) {
+    return {nearest::cos(a.value), std::abs(nearest::sin(a.value)) * a.noise + 1e-16};
+}
+Estimate sine(const Estimate& a) { return {nearest::sin(a.value), std::abs(nearest::cos(a.value)) * a.noise + 1e-16}; }
 Estimate root(const Estimate& a) {
     const double value = std::sqrt(a.value);
     return {value, (value > 0 ? a.noise / (2 * value) : 0) + 1e-16 * value};
@@ -350,7 +353,7 @@ private:
 
     double speed_at(double time) {
         const State state = state_at(time);
-        return std::hypot(state.velocity[0].value, state.velocity[1].value);
+        return nearest::hypot(state.velocity[0].value, state.velocity[1].value);
     }
     std::optional<Error> sample() {
         constexpr int samples = 240;
@@ -417,7 +420,7 @@ private:
         at.place = {cleaned(state.place[0]), cleaned(state.place[1])};
         at.velocity = {cleaned(state.velocity[0]), cleaned(state.velocity[1])};
         const VectorOf<double> a{cleaned(state.acceleration[0]), cleaned(state.acceleration[1])};
-        at.speed = std::hypot(at.velocity.x, at.velocity.y);
+        at.speed = nearest::hypot(at.velocity.x, at.velocity.y);
         at.rests = at.speed == 0;
         if (at.rests) return at;
         at.along = dot(at.velocity, a) / at.speed;
@@ -464,7 +467,7 @@ private:
         found_.r = length(found_.place);
         found_.at_pole = found_.place.is_zero();
         if (found_.at_pole) return;
-        found_.theta = std::atan2(found_.place.y.to_double(), found_.place.x.to_double());
+        found_.theta = nearest::atan2(found_.place.y.to_double(), found_.place.x.to_double());
         const Estimate r = root(z[0] * z[0] + z[1] * z[1]);
         const auto components = [&](const Pair& of) {
             return std::array{cleaned((z[0] * of[0] + z[1] * of[1]) / r), cleaned((z[0] * of[1] - z[1] * of[0]) / r)};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/finite_positions.hpp"
 
 namespace kinegraph {
@@ -16,7 +17,7 @@ using Line = LineOn<Plane::drawing>;
 using By = Displacement::By;
 
 double angle_between(const Vector& from, const Vector& to) {
-    return std::atan2(cross(from, to).to_double(), dot(from, to).to_double());
+    return nearest::atan2(cross(from, to).to_double(), dot(from, to).to_double());
 }
 
 /// The board of all positions. Each bisector is drawn once and serves poles and pivots.

@@ -1,3 +1,4 @@
+#include "engine/number/functions.hpp"
 #include "problems/reye/reye.hpp"
 
 #include <algorithm>
@@ -50,13 +51,13 @@ private:
         const double wanted = problem_.kind == Kind::block ? a / 2 : problem_.offset.to_double();
         // Tilt from −∞ (the end x = a wears more) to +∞: parametrised by an angle t instead of the slope.
         const auto pressure = [&](double t, double x) {
-            return std::max(0.0, std::cos(t) + std::sin(t) * (2 * x / a - 1));
+            return std::max(0.0, nearest::cos(t) + nearest::sin(t) * (2 * x / a - 1));
         };
         // Where the face lifts, the strips of Simpson's rule end at the edge of contact.
         const auto ends = [&](double t) {
-            const double zero = a / 2 * (1 - std::cos(t) / (std::sin(t) == 0 ? 1e-300 : std::sin(t)));
+            const double zero = a / 2 * (1 - nearest::cos(t) / (nearest::sin(t) == 0 ? 1e-300 : nearest::sin(t)));
             double begin = 0, end = a;
-            if (zero > 0 && zero < a) (std::sin(t) > 0 ? begin : end) = zero;
+            if (zero > 0 && zero < a) (nearest::sin(t) > 0 ? begin : end) = zero;
             return std::pair{begin, end};
         };
         const auto moment_arm = [&](double t) {
@@ -105,13 +106,13 @@ private:
         // The depth worn at θ for a unit rotation of the shoe about the pivot: the displacement of its point along the
         // normal.
         const auto depth = [&](double angle) {
-            const double x = r * std::cos(angle) - h, y = r * std::sin(angle);
-            return std::abs(-y * std::cos(angle) + x * std::sin(angle));
+            const double x = r * nearest::cos(angle) - h, y = r * nearest::sin(angle);
+            return std::abs(-y * nearest::cos(angle) + x * nearest::sin(angle));
         };
         const auto moment = [&](double angle, double along, double across) {
-            const double fx = along * std::cos(angle) - across * std::sin(angle),
-                         fy = along * std::sin(angle) + across * std::cos(angle);
-            return (r * std::cos(angle) - h) * fy - r * std::sin(angle) * fx;
+            const double fx = along * nearest::cos(angle) - across * nearest::sin(angle),
+                         fy = along * nearest::sin(angle) + across * nearest::cos(angle);
+            return (r * nearest::cos(angle) - h) * fy - r * nearest::sin(angle) * fx;
         };
         const double normal = over(from, to, [&](double t) { return b * r * depth(t) * moment(t, outward, 0); });
         // Friction for one sense of rotation of the drum; leading where it turns the shoe against the normal forces.
@@ -126,8 +127,8 @@ private:
         for (int i = 0; i <= 4000; ++i)
             found_.greatest = std::max(found_.greatest, scale * depth(from + (to - from) * i / 4000));
         found_.torque = friction_ * r * scale * over(from, to, [&](double t) { return b * r * depth(t); });
-        const double x = scale * over(from, to, [&](double t) { return b * r * depth(t) * std::cos(t); });
-        const double y = scale * over(from, to, [&](double t) { return b * r * depth(t) * std::sin(t); });
+        const double x = scale * over(from, to, [&](double t) { return b * r * depth(t) * nearest::cos(t); });
+        const double y = scale * over(from, to, [&](double t) { return b * r * depth(t) * nearest::sin(t); });
         found_.normal = std::sqrt(x * x + y * y);
         found_.pressure_radius = found_.torque / (friction_ * found_.normal);
         found_.locking = std::abs(normal / rubbing);

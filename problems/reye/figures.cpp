@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/reye.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
@@ -162,7 +163,9 @@ private:
 
     // ----- shoe; the pivot to the right of the drum's centre, angles counter-clockwise
 
-    Spot round(double radius, double angle) const { return {radius * std::cos(angle), -radius * std::sin(angle)}; }
+    Spot round(double radius, double angle) const {
+        return {radius * nearest::cos(angle), -radius * nearest::sin(angle)};
+    }
     void draw_shoe() {
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double();
         const double span = std::max(r, h) + r;
@@ -225,7 +228,7 @@ private:
     Spot place_of_force(Spot pin, double drum, double arm) const {
         const double back = drum + (problem_.inside ? -3 : 3), across = length(pin);
         const double cosine = (across * across + back * back - arm * arm) / (2 * across * back);
-        if (std::abs(cosine) <= 1) return round(back, std::acos(cosine));
+        if (std::abs(cosine) <= 1) return round(back, nearest::acos(cosine));
         const Spot toe = round(drum + (problem_.inside ? -1.5 : 1.5), found_.end);
         return pin + arm * unit(toe - pin);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -135,7 +136,7 @@ private:
         said.emplace_back(lang::reye::the_torque_on_the_drum, moment(*found_.torque));
         said.emplace_back(
             lang::reye::the_pressures_have_the_resultant_n,
-            amount(std::hypot(found_.normal_force.x, found_.normal_force.y), QuantityKind::force, mechanism_.units),
+            amount(nearest::hypot(found_.normal_force.x, found_.normal_force.y), QuantityKind::force, mechanism_.units),
             length(found_.pressure_radius));
         if (problem_.leading && found_.locking_friction)
             said.emplace_back(lang::reye::from_f_on_the_shoe, numeral(*found_.locking_friction));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/reye.hpp"
 
@@ -83,9 +84,9 @@ private:
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double(), b = problem_.width.to_double();
         const double from = problem_.from.to_double(), to = problem_.to.to_double(), f = problem_.friction->to_double();
         // ∫ sin²θ, ∫ sin θ, ∫ sin θ cos θ between the ends.
-        const double squares = (to - from) / 2 - (std::sin(2 * to) - std::sin(2 * from)) / 4;
-        const double sines = std::cos(from) - std::cos(to);
-        const double products = (std::sin(to) - std::sin(from)) * (std::sin(to) + std::sin(from)) / 2;
+        const double squares = (to - from) / 2 - (nearest::sin(2 * to) - nearest::sin(2 * from)) / 4;
+        const double sines = nearest::cos(from) - nearest::cos(to);
+        const double products = (nearest::sin(to) - nearest::sin(from)) * (nearest::sin(to) + nearest::sin(from)) / 2;
         const double normal = b * r * h * squares, rubbing = b * r * (r * sines - h * products);
         // If the moment of friction is negative, friction acts in the opposite sense.
         if (rubbing > 0) found_.locking_friction = normal / rubbing;
@@ -94,21 +95,21 @@ private:
         const double constant = force_ * problem_.arm.to_double() / moment;
         found_.begin = from;
         found_.end = to;
-        found_.first = constant * std::sin(from);
-        found_.second = constant * std::sin(to);
+        found_.first = constant * nearest::sin(from);
+        found_.second = constant * nearest::sin(to);
         found_.greatest_at = std::clamp(pi / 2, from, to);
-        found_.greatest = constant * std::sin(found_.greatest_at);
+        found_.greatest = constant * nearest::sin(found_.greatest_at);
         found_.torque = f * constant * b * r * r * sines;
         const double inward = problem_.inside ? -1 : 1;
         found_.normal_force = {inward * constant * b * r * products, inward * constant * b * r * squares};
-        found_.pressure_radius = r * sines / std::hypot(products, squares);
+        found_.pressure_radius = r * sines / nearest::hypot(products, squares);
         constant_ = constant;
     }
 
     double pressure_at(double place) const {
         if (place < found_.begin || place > found_.end) return 0;
         if (problem_.kind == Kind::disc) return found_.first * found_.begin / place;
-        if (problem_.kind == Kind::shoe) return constant_ * std::sin(place);
+        if (problem_.kind == Kind::shoe) return constant_ * nearest::sin(place);
         const double share = (place - found_.begin) / (found_.end - found_.begin);
         return found_.first + share * (found_.second - found_.first);
     }
@@ -181,7 +182,7 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
             {lang::reye::torque_when_new_at_uniform_pressure});
     }
     if (problem.kind == Kind::shoe) {
-        add({lang::reye::normal_force}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y),
+        add({lang::reye::normal_force}, "N", force, nearest::hypot(found.normal_force.x, found.normal_force.y),
             check.normal, {lang::reye::resultant_of_the_pressures});
         add({lang::reye::centre_of_pressure}, "r_C", length, found.pressure_radius, check.pressure_radius,
             {lang::reye::distance_of_the_centre_of_pressure});

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/number/functions.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/dxf_document.hpp"
 #include "render/backends/live_text.hpp"
@@ -121,7 +122,7 @@ private:
         const int parts = std::abs(sweep) > 3 ? 2 : 1;
         for (int i = 1; i <= parts; ++i) {
             // Positive angles turn clockwise on paper, positive bulges the other way.
-            run_.vertices.back().bulge = -std::tan(sweep / parts / 4);
+            run_.vertices.back().bulge = -nearest::tan(sweep / parts / 4);
             run_.vertices.push_back({on(arc.from + sweep * i / parts)});
         }
         run_.arc.reset();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/number/functions.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -164,7 +165,7 @@ double width_of(const Outline& outline) {
 }
 
 Spot turned(const TextMark& mark, Spot spot) {
-    const double c = std::cos(mark.angle), s = std::sin(mark.angle);
+    const double c = nearest::cos(mark.angle), s = nearest::sin(mark.angle);
     const Spot from = spot - mark.pivot;
     return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
 }

@@ -14,6 +14,7 @@
 
 #include "engine/file/json_text.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/markup.hpp"
@@ -112,7 +113,7 @@ struct PathData {
     /// One or two 'A' commands: each arc is at most half a turn, so that it is unambiguous.
     static void arc(Bytes& value, const ArcTo& a, bool& begun, Spot& pen) {
         const auto on = [&a](double angle) {
-            return Spot{a.centre.x + a.radius * std::cos(angle), a.centre.y + a.radius * std::sin(angle)};
+            return Spot{a.centre.x + a.radius * nearest::cos(angle), a.centre.y + a.radius * nearest::sin(angle)};
         };
         const double turn = 2 * std::numbers::pi;
         double sweep = a.to - a.from;
@@ -150,7 +151,8 @@ struct PathData {
                 put(value, ' ', pen = c->to);
             } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
                 if (!begun) {
-                    first = {a->centre.x + a->radius * std::cos(a->from), a->centre.y + a->radius * std::sin(a->from)};
+                    first = {a->centre.x + a->radius * nearest::cos(a->from),
+                             a->centre.y + a->radius * nearest::sin(a->from)};
                 }
                 arc(value, *a, begun, pen);
             } else if (begun) {

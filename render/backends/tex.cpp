@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/number/functions.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/overlays.hpp"
@@ -229,7 +230,9 @@ private:
     std::map<std::uint8_t, std::map<char, Width>> widths_;
 };
 
-Spot on_arc(const ArcTo& arc, double angle) { return arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}; }
+Spot on_arc(const ArcTo& arc, double angle) {
+    return arc.centre + arc.radius * Spot{nearest::cos(angle), nearest::sin(angle)};
+}
 
 class TikzPicture {
 public:
@@ -322,10 +325,12 @@ private:
             return;
         }
         const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.5)));
-        const double step = sweep / parts, reach = 4.0 / 3 * std::tan(step / 4);
+        const double step = sweep / parts, reach = 4.0 / 3 * nearest::tan(step / 4);
         for (int i = 0; i < parts; ++i) {
             const double from = a.from + i * step, to = from + step;
-            const auto along = [&](double angle) { return a.radius * reach * Spot{-std::sin(angle), std::cos(angle)}; };
+            const auto along = [&](double angle) {
+                return a.radius * reach * Spot{-nearest::sin(angle), nearest::cos(angle)};
+            };
             course += " .. controls " + points_.at(on_arc(a, from) + along(from)) + " and " +
                       points_.at(on_arc(a, to) - along(to)) + " .. " + points_.at(on_arc(a, to));
         }

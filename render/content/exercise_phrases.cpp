@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/number/functions.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/data.hpp"
@@ -143,7 +144,7 @@ RichText ExercisePhrases::positive_sense(JointIndex index) const {
     const Joint& joint = mechanism_.joint(index);
     if (joint.along && std::holds_alternative<Bearing::Between>(joint.along->form)) return positive_sense(*joint.along);
     const VectorOf<double> way = direction_of_sliding(solution_.pose, index);
-    const double degrees = std::round(std::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
+    const double degrees = std::round(nearest::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
     RichText angle = number_of(degrees == 0 ? 0 : degrees);
     append(angle, "°");
     return filled(lang::sheet::positive_along, {angle});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 
@@ -51,7 +52,7 @@ DrawnRates::Drawn DrawnRates::drawn(LetterIndex index) const {
     const auto direction = direction_of_slide(index);
     if (!direction) return found;
     const auto along = [&](const Vector& v) {
-        return v.x.to_double() * std::cos(*direction) + v.y.to_double() * std::sin(*direction);
+        return v.x.to_double() * nearest::cos(*direction) + v.y.to_double() * nearest::sin(*direction);
     };
     if (sliding->velocity) found.rate = along(*sliding->velocity);
     if (sliding->acceleration) found.acceleration = along(*sliding->acceleration);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/equations/equations_values.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "render/text/utf8.hpp"
@@ -244,12 +245,12 @@ std::optional<Formula> RateText::closed_determinant(const Equations::Block& bloc
     double expected = value_of(e_, second.angle) - value_of(e_, first.angle);
     if (solved.kind == Solved::Kind::two_turns) {
         own = pen_.projected(pen_.name(first.length) + pen_.name(second.length), between, true, 1);
-        expected = std::sin(expected);
+        expected = nearest::sin(expected);
     } else if (solved.kind == Solved::Kind::turn_and_slide) {
         own = pen_.projected(pen_.name(first.length),
                              {first.angle.letters, second.angle.letters, first.angle.quarters - second.angle.quarters},
                              false, 1);
-        expected = std::cos(expected);
+        expected = nearest::cos(expected);
     } else if (solved.kind == Solved::Kind::turn_with_slide || solved.kind == Solved::Kind::turn_with_offset_slide) {
         own = {1, pen_.name(first.length)};
         expected = pen_.letter(first.length).value;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 
@@ -182,7 +183,7 @@ private:
     std::vector<Formula> force_row(const Entry& entry, const Formula& q) {
         const double fx = entry.force.x.to_double() / mechanism_.units.force.si.to_double(),
                      fy = entry.force.y.to_double() / mechanism_.units.force.si.to_double();
-        largest_ = std::hypot(fx, fy);
+        largest_ = nearest::hypot(fx, fy);
         Formula acting = pair_of(fx, fy);
         return {force(entry.symbol), upright(body(entry.body)), std::move(acting),
                 way(point_at(entry.at), entry.velocity, q), work_of(dot(entry.force, entry.velocity).to_double())};
@@ -190,7 +191,7 @@ private:
     /// "δr_A = (0.2; −0.1) m/rad δθ_1".
     Formula way(const std::string& point, const Vector& velocity, const Formula& q) {
         const double x = velocity.x.to_double() / way_si(), y = velocity.y.to_double() / way_si();
-        largest_ = std::hypot(x, y);
+        largest_ = nearest::hypot(x, y);
         Formula moved = moved_point(point) + Formula::sign("=") + pair_of(x, y);
         if (!way_unit().empty()) moved += upright(" " + way_unit());
         return std::move(moved) + q;
@@ -338,7 +339,7 @@ private:
         }
         const auto moved = *state.velocity_of(place);
         const std::string point = point_at(place);
-        largest_ = std::hypot(moved[0], moved[1]) / way_si();
+        largest_ = nearest::hypot(moved[0], moved[1]) / way_si();
         return components("x" + point, moved[0]) + upright(",  ") + components("y" + point, moved[1]);
     }
     Formula components(const std::string& of, double si) const {

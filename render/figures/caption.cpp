@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 /// The shortest decimal that equals the scale except for rounding in the last bits.
 std::string shortest_scale(double value, Language language) {
-    const double power = std::pow(10.0, 6 - std::floor(std::log10(value)));
+    const double power = nearest::pow(10.0, 6 - std::floor(nearest::log10(value)));
     const double round = std::round(value * power) / power;
     const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language);
     // A scale derived from a file, such as 14 mm = 16.28 MN, may have no finite decimal.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
@@ -45,12 +46,12 @@ private:
     double angle_of(std::size_t body) const {
         return -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(body) / static_cast<double>(count_);
     }
-    Spot at(double angle) const { return radius_ * Spot{std::cos(angle), std::sin(angle)}; }
+    Spot at(double angle) const { return radius_ * Spot{nearest::cos(angle), nearest::sin(angle)}; }
     Spot place(BodyIndex body) const { return at(angle_of(at_index(body))); }
 
     void draw_circle(std::vector<Mark>& marks) const {
         for (std::size_t b = 0; b < count_; ++b) {
-            const double half = 2 * std::asin(std::min(1.0, (node + 0.2) / (2 * radius_)));
+            const double half = 2 * nearest::asin(std::min(1.0, (node + 0.2) / (2 * radius_)));
             const double from = angle_of(b) + half, to = angle_of(b + 1) - half;
             if (to <= from) continue;
             Path arc;
@@ -81,7 +82,7 @@ private:
             const ShapedLine name =
                 context_.fonts.shape(one_piece(context_.solution.mechanism.bodies[b].name), theme_.derived);
             Spot middle = place(body);
-            if (std::hypot(name.width / 2, name.ascent / 2) > node - theme_.outline / 2 - 0.4) {
+            if (nearest::hypot(name.width / 2, name.ascent / 2) > node - theme_.outline / 2 - 0.4) {
                 const Spot out = unit(middle);
                 marks.emplace_back(disc(middle, 0.8, colour.line));
                 middle =

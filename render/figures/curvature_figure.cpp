@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
@@ -251,7 +252,7 @@ private:
         constexpr int pieces = 720;
         const auto spot = [&](int i) {
             const double angle = 2 * std::numbers::pi * i / pieces;
-            return round.centre + round.radius * Spot{std::cos(angle), std::sin(angle)};
+            return round.centre + round.radius * Spot{nearest::cos(angle), nearest::sin(angle)};
         };
         int outside = -1;
         for (int i = 0; i < pieces && outside < 0; ++i)
@@ -318,7 +319,7 @@ private:
         const bool whole =
             contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
         const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)),
-                     towards = std::atan2(at.y - centre.y, at.x - centre.x);
+                     towards = nearest::atan2(at.y - centre.y, at.x - centre.x);
         if (whole)
             sketch_.construction.emplace_back(circle(centre, radius, pen));
         else
@@ -330,7 +331,7 @@ private:
                                  unit_of.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
         const double aside = towards + (whole ? 0.6 : 0.7 * half);
-        label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};
+        label.anchor = centre + radius * Spot{nearest::cos(aside), nearest::sin(aside)};
         label.holds = holds;
         label.holds.unit = unit_of.si.to_double();
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/number/functions.hpp"
 #include "engine/solution/bindings.hpp"
 #include "engine/solution/shifts.hpp"
 #include "lang/keys/notation.hpp"
@@ -301,7 +302,7 @@ void draw_pressure_angle(Sketch& sketch, const AppliedForce& applied) {
     const Spot at = sketch.spot(joint), force = paper_direction(applied.force);
     Spot tangent = paper_direction(sketch.subject.solution.pose.tangents[at_index(applied.joint)]);
     if (dot(tangent, force) < 0) tangent = -1.0 * tangent;
-    const double from = angle_of(tangent), by = std::atan2(cross(tangent, force), dot(tangent, force));
+    const double from = angle_of(tangent), by = nearest::atan2(cross(tangent, force), dot(tangent, force));
     if (std::abs(by) < 1e-9) return;
     const std::size_t first = sketch.construction.size();
     sketch.construction.emplace_back(line(at - reach * tangent, at + reach * tangent, sketch.thin()));

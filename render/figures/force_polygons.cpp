@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
@@ -146,7 +147,7 @@ private:
             const Place tip{(sum.force.x / si).to_double(), (sum.force.y / si).to_double()};
             const Place start = scene_.vectors.front().tail;
             const auto ends = [&](const SceneVector& side) {
-                return std::hypot(side.tip.x - start.x - tip.x, side.tip.y - start.y - tip.y) <= near;
+                return nearest::hypot(side.tip.x - start.x - tip.x, side.tip.y - start.y - tip.y) <= near;
             };
             // A sum of one force is that force; the last corner equals the first.
             const auto end = std::find_if(scene_.vectors.begin(), scene_.vectors.end(), ends);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
@@ -281,7 +282,7 @@ private:
         // On the side away from the mechanism, where there are no rays.
         const Box box = sketch.mechanism_box();
         const Spot away = unit(at - 0.5 * (box.min + box.max));
-        const double middle = std::atan2(away.y, away.x);
+        const double middle = nearest::atan2(away.y, away.x);
         // Counter-clockwise is towards decreasing angles on paper.
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);

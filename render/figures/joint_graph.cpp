@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/mechanism/chain.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure_table.hpp"
@@ -118,7 +119,7 @@ private:
         for (const std::size_t place : order.places()) {
             const double turn =
                 std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(place) / static_cast<double>(count);
-            nodes_.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+            nodes_.push_back({radius * nearest::cos(turn), radius * nearest::sin(turn)});
         }
     }
     void add(const Joint& joint) {
@@ -253,7 +254,7 @@ private:
         const ShapedLine name = context_.fonts.shape(one_piece(mechanism_.body(body).name), theme_.label);
         Spot middle = at;
         // A long name stands outside its circle.
-        if (std::hypot(name.width / 2, name.ascent / 2) > node_radius - 0.6) {
+        if (nearest::hypot(name.width / 2, name.ascent / 2) > node_radius - 0.6) {
             const Spot out = unit(at);
             marks.emplace_back(disc(at, 0.8, colour.line));
             const double below = body == frame ? 2.4 : 0;

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "engine/number/functions.hpp"
 #include "render/figures/pair_pen.hpp"
 #include "render/page/shapes.hpp"
 
@@ -90,7 +91,7 @@ private:
     void draw_reactions() {
         if (pair_.meshes()) {
             const double angle = 20 * pi / 180;
-            const Spot along{-std::sin(angle), std::cos(angle)};
+            const Spot along{-nearest::sin(angle), nearest::cos(angle)};
             pen_.axis(-11 * along, 11 * along);
             pen_.force(9 * along, {0, 0}, "{F}");
             return;
@@ -136,9 +137,9 @@ private:
     static constexpr double azimuth = 0.62, elevation = 0.44;
 
     static Spot seen(const Space& p) {
-        const double across = -std::sin(azimuth) * p.x + std::cos(azimuth) * p.y;
-        const double near = std::cos(azimuth) * p.x + std::sin(azimuth) * p.y;
-        return {across, std::sin(elevation) * near - std::cos(elevation) * p.z};
+        const double across = -nearest::sin(azimuth) * p.x + nearest::cos(azimuth) * p.y;
+        const double near = nearest::cos(azimuth) * p.x + nearest::sin(azimuth) * p.y;
+        return {across, nearest::sin(elevation) * near - nearest::cos(elevation) * p.z};
     }
     static Space axis(char letter, double size) {
         return letter == 'x' ? Space{size, 0, 0} : letter == 'y' ? Space{0, size, 0} : Space{0, 0, size};
@@ -146,7 +147,8 @@ private:
 
     /// Points of a circle about the axis. `angle` on paper: 0 right, π/2 in front.
     static Spot round(double radius, double z, double angle) {
-        return Spot{radius * std::cos(angle), radius * std::sin(elevation) * std::sin(angle)} + seen({0, 0, z});
+        return Spot{radius * nearest::cos(angle), radius * nearest::sin(elevation) * nearest::sin(angle)} +
+               seen({0, 0, z});
     }
     static std::vector<Spot> arc(double radius, double z, double from, double to) {
         constexpr int pieces = 48;
@@ -262,7 +264,8 @@ private:
         std::vector<Spot> spots;
         constexpr int pieces = 40;
         for (int i = 0; i <= pieces; ++i) {
-            const double angle = -0.2 + 4.9 * i / pieces, c = radius * std::cos(angle), s = radius * std::sin(angle);
+            const double angle = -0.2 + 4.9 * i / pieces, c = radius * nearest::cos(angle),
+                         s = radius * nearest::sin(angle);
             const Space p = letter == 'z'   ? Space{at.x + c, at.y + s, at.z}
                             : letter == 'x' ? Space{at.x, at.y + c, at.z + s}
                                             : Space{at.x + s, at.y, at.z + c};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/number/functions.hpp"
 #include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
@@ -27,7 +28,7 @@ double tick_step(double range, int most, bool degrees) {
         for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0})
             if (range / step <= most) return step;
     const double rough = range / most;
-    const int exponent = static_cast<int>(std::floor(std::log10(rough)));
+    const int exponent = static_cast<int>(std::floor(nearest::log10(rough)));
     for (const double mantissa : {1.0, 2.0, 5.0})
         if (decimal(mantissa, exponent) >= rough * (1 - 1e-9)) return decimal(mantissa, exponent);
     return decimal(1, exponent + 1);
@@ -135,7 +136,7 @@ private:
                 frame_.max.y - (y - y_.least) / y_.width() * frame_.height()};
     }
     std::string tick(double value, double step) const {
-        const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
+        const int decimals = std::clamp(-static_cast<int>(std::floor(nearest::log10(step) + 1e-9)), 0, 6);
         return std::abs(value) >= 1e5 || step < 1e-5 ? number(value, 3, context_.language)
                                                      : fixed(value == 0 ? 0 : value, decimals, context_.language);
     }

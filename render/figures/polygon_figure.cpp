@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
@@ -74,7 +75,7 @@ public:
         const std::size_t first = figure.marks.size();
         draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
         draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
-        const double from = std::atan2(along.y, along.x);
+        const double from = nearest::atan2(along.y, along.x);
         draw_arc_arrow(figure.marks, *origin, turn, from,
                        from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi, theme.thin, guide.letter);
         belong(figure.marks, first, shown.statement);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "render/mechanism/paper.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
@@ -15,7 +16,7 @@ namespace {
 /// A step of 1, 2 or 5 × 10ⁿ with at most `most` steps in a range.
 double step_of(double range, int most) {
     const double rough = range / most;
-    const int exponent = static_cast<int>(std::floor(std::log10(rough)));
+    const int exponent = static_cast<int>(std::floor(nearest::log10(rough)));
     for (const double mantissa : {1.0, 2.0, 5.0})
         if (decimal(mantissa, exponent) >= rough * (1 - 1e-9)) return decimal(mantissa, exponent);
     return decimal(1, exponent + 1);
@@ -95,7 +96,7 @@ private:
     }
     std::string tick(double value, double step) const {
         if (std::abs(value) < 1e-9 * step) value = 0;
-        const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
+        const int decimals = std::clamp(-static_cast<int>(std::floor(nearest::log10(step) + 1e-9)), 0, 6);
         return std::abs(value) >= 1e5 || step < 1e-5 ? number(value, 3, context_.language)
                                                      : fixed(value, decimals, context_.language);
     }

@@ -73,7 +73,7 @@ std::string caption_of(const Symbol& symbol) {
 
 /// 1, 2 or 5 times a power of ten, at most the value.
 double round_below(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value)));
+    const double power = nearest::pow(10, std::floor(nearest::log10(value)));
     return (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1) * power;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph::render {
 
 /// A point or a vector on the sheet, mm.
@@ -28,8 +30,8 @@ inline Spot unit(Spot a) {
 /// A quarter turn clockwise on paper.
 inline Spot turned(Spot a) { return {-a.y, a.x}; }
 /// polar_spot: the unit vector at an angle (radians, clockwise on paper). angle_of: its inverse, in (−π, π].
-inline Spot polar_spot(double angle) { return {std::cos(angle), std::sin(angle)}; }
-inline double angle_of(Spot a) { return std::atan2(a.y, a.x); }
+inline Spot polar_spot(double angle) { return {nearest::cos(angle), nearest::sin(angle)}; }
+inline double angle_of(Spot a) { return nearest::atan2(a.y, a.x); }
 
 struct Box {
     Spot min, max;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/number/functions.hpp"
 #include "render/figures/caption.hpp"
 #include "render/layout/beside.hpp"
 #include "render/page/scale.hpp"
@@ -23,7 +24,7 @@ constexpr double own_scale_of_forces = 60;  // … at which it is not larger tha
 double use_of_figure(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     const double read = std::min(size, long_enough);
-    return std::log(read) - 40 / read + of_more * std::log(size / read);
+    return nearest::log(read) - 40 / read + of_more * nearest::log(size / read);
 }
 
 }  // namespace

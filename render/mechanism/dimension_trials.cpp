@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/number/functions.hpp"
+
 namespace kinegraph::render::drawing {
 
 namespace {
@@ -47,7 +49,7 @@ DimensionTrial DimensionTrials::outside_of_end(DimensionTrial trial, const Bar& 
 
 void DimensionTrials::put_text(DimensionTrial& trial, Spot middle, Spot along) const {
     trial.text_angle = readable(angle_of(along));
-    trial.text_at = middle + text_gap * Spot{std::sin(trial.text_angle), -std::cos(trial.text_angle)};
+    trial.text_at = middle + text_gap * Spot{nearest::sin(trial.text_angle), -nearest::cos(trial.text_angle)};
 }
 
 std::vector<DimensionTrials::Level> DimensionTrials::levels_of(double rise) const {
@@ -101,7 +103,7 @@ std::vector<DimensionTrial> DimensionTrials::beside(const DimensionedLength& dat
     const bool measures_its_segment = std::abs(cross(unit(run), datum.along)) < 1e-6;
     if (!sought_far_ || !measures_its_segment || length(run) < width + 2 * beyond_text) return {};
     const double angle = readable(angle_of(run));
-    const Spot up{std::sin(angle), -std::cos(angle)};
+    const Spot up{nearest::sin(angle), -nearest::cos(angle)};
     const double off = 0.5 * sketch_.theme.link;
     std::vector<DimensionTrial> trials;
     for (const double share : {0.5, 0.35, 0.65, 0.25, 0.75}) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "render/mechanism/symbols.hpp"
 
 namespace kinegraph::render::drawing {
@@ -50,7 +51,7 @@ Spot side_of_ground(const Sketch& sketch, PointIndex point) {
         if (const Spot d = sketch.spot(joint) - at; length(d) > same_place && length(d) < reach)
             links.push_back(unit(d));  // a pin where the triangle would be
     const auto nearness = [](Spot a, Spot b) {
-        return std::max(0.0, 1.2 - std::acos(std::clamp(dot(a, b), -1.0, 1.0)));
+        return std::max(0.0, 1.2 - nearest::acos(std::clamp(dot(a, b), -1.0, 1.0)));
     };
     constexpr std::array<std::pair<Spot, double>, 4> choices{
         {{Spot{0, 1}, 0.0}, {Spot{1, 0}, 0.35}, {Spot{-1, 0}, 0.35}, {Spot{0, -1}, 0.6}}};

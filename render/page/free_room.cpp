@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/number/functions.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -131,7 +132,7 @@ void look_over(const std::vector<Mark>& marks, See see) {
                     const int pieces = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) * a->radius / 0.9)));
                     for (int i = 0; i <= pieces; ++i) {
                         const double angle = a->from + sweep * i / pieces;
-                        pen = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                        pen = a->centre + a->radius * Spot{nearest::cos(angle), nearest::sin(angle)};
                         see(pen);
                     }
                 } else {

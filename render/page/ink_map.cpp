@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -94,11 +95,11 @@ void go_along(const Path& path, Begin begin, Stroke stroke) {
         } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
             const double sweep = a->to - a->from;
             const double step =
-                std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
+                std::clamp(2 * nearest::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
             const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
             for (int i = 0; i <= parts; ++i) {
                 const double angle = a->from + sweep * i / parts;
-                const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                const Spot at = a->centre + a->radius * Spot{nearest::cos(angle), nearest::sin(angle)};
                 if (i == 0 && !down) set_down(at);
                 stroke_to(at);
             }
@@ -125,7 +126,7 @@ std::optional<InkBox> ink_of(const TextMark& text, const Fonts& fonts) {
         }
     }
     if (box.min.x > box.max.x) return std::nullopt;
-    const Spot axis{std::cos(text.angle), std::sin(text.angle)}, arm = 0.5 * (box.min + box.max) - text.pivot;
+    const Spot axis{nearest::cos(text.angle), nearest::sin(text.angle)}, arm = 0.5 * (box.min + box.max) - text.pivot;
     return InkBox{text.pivot + arm.x * axis + arm.y * turned(axis), 0.5 * (box.max - box.min), axis};
 }
 

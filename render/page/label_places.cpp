@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "engine/number/functions.hpp"
 #include "render/page/label_prices.hpp"
 
 namespace kinegraph::render::lettering {
@@ -42,7 +43,7 @@ std::vector<Seed> seeds_around(Distance distance, bool balloon) {
             const bool leader = extra > 3.5 || (balloon && extra > 1.5);
             if (leader && k % 2 != 0) continue;
             const double angle = 2 * std::numbers::pi * k / count;
-            const Spot u{std::cos(angle), -std::sin(angle)};
+            const Spot u{nearest::cos(angle), -nearest::sin(angle)};
             // Order of preference: upper right, upper left, right, below.
             const double turned_away = 0.45 * (1 - (u.x - u.y) * std::numbers::sqrt2 / 2) + (k % 6 == 0 ? 0 : 0.05);
             seeds.push_back({.bound = far_price * extra + turned_away + (leader ? leader_price : 0),

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/number/functions.hpp"
 #include "render/page/label_ground.hpp"
 #include "render/page/label_key.hpp"
 #include "render/page/label_places.hpp"
@@ -82,7 +83,7 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
     for (std::size_t k = first; k < figure.marks.size(); ++k) {
         auto& text = std::get<TextMark>(figure.marks[k]);
         text.pivot = centre;
-        text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
+        text.angle = nearest::atan2(place.box.axis.y, place.box.axis.x);
         text.names = request.names;
         text.holds = request.holds;
         if (k > first) text.cls = "text";  // one aria-label per label

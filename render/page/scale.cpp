@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -26,7 +27,7 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
     if (asked) return *asked;
     const double least = std::max(extent_x / room_x, extent_y / room_y);
     if (!(least > 0) || !std::isfinite(least)) return 1;
-    const int exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
+    const int exponent = static_cast<int>(std::floor(nearest::log10(least))) - 1;
     for (int e = exponent;; ++e)
         for (const double step : steps)
             if (decimal(step, e) >= least * (1 - 1e-12)) return decimal(step, e);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "render/page/scale.hpp"
 
 namespace kinegraph::render {
@@ -100,7 +101,7 @@ struct Bounds {
         const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.1)));
         const auto look_at = [&](int i) {
             const double angle = from + sweep * i / steps;
-            see(Spot{std::cos(angle), std::sin(angle)});
+            see(Spot{nearest::cos(angle), nearest::sin(angle)});
         };
         look_at(0);
         look_at(steps);
@@ -122,7 +123,7 @@ struct Bounds {
     static constexpr double letter_wide = 0.62;  ///< width of a letter's em box
     void add(const TextMark& text) {
         if (text.angle == 0) return add_upright(text);
-        const double c = std::cos(text.angle), s = std::sin(text.angle);
+        const double c = nearest::cos(text.angle), s = nearest::sin(text.angle);
         for (const Glyph& glyph : text.glyphs)
             // For the edge of a figure the em box is accurate enough; labels use the true ink.
             for (const Spot corner : {Spot{0, -letter_over}, Spot{letter_wide, -letter_over}, Spot{0, letter_under},
@@ -291,8 +292,8 @@ void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double
     const double turn = to > from ? 1 : -1;
     // The head is a straight chord: it leaves the arc where its back lies on the arc, so that the tip is on the arc as
     // well.
-    const double chord = 2 * std::asin(std::min(1.0, head.length / (2 * radius)));
-    const auto on_arc = [&](double angle) { return centre + radius * Spot{std::cos(angle), std::sin(angle)}; };
+    const double chord = 2 * nearest::asin(std::min(1.0, head.length / (2 * radius)));
+    const auto on_arc = [&](double angle) { return centre + radius * Spot{nearest::cos(angle), nearest::sin(angle)}; };
     const double back = to - turn * std::min(chord, std::abs(to - from));
     Path shaft;
     const double shaft_end = back + turn * chord * (notch + 0.07);
@@ -330,7 +331,7 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
     constexpr double height = 1.1;
     // The longest 1-2-5 length of the printed unit that fits. 2.5 is left out: half of it is not a round number.
     const double most = target * scale / unit_in_si;
-    int exponent = static_cast<int>(std::floor(std::log10(most)));
+    int exponent = static_cast<int>(std::floor(nearest::log10(most)));
     double value = decimal(1, exponent);
     for (const double step : {2.0, 5.0, 10.0})
         if (decimal(step, exponent) <= most * (1 + 1e-12)) value = decimal(step, exponent);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_text.hpp"
@@ -43,8 +44,8 @@ WrittenAnswer written(double value, double tolerance) {
     if (!(tolerance > 0)) return {shortest(value), "0"};
     constexpr int beyond = 2, most = 15;
     const double round = rounded_up(tolerance);
-    const int decimals = std::max(0, beyond - static_cast<int>(std::floor(std::log10(tolerance))));
-    const int of_tolerance = std::max(0, -static_cast<int>(std::floor(std::log10(round) + 1e-9)));
+    const int decimals = std::max(0, beyond - static_cast<int>(std::floor(nearest::log10(tolerance))));
+    const int of_tolerance = std::max(0, -static_cast<int>(std::floor(nearest::log10(round) + 1e-9)));
     if (decimals > most) return {shortest(value), shortest(round)};
     return {decimal(value, decimals), decimal(round, of_tolerance)};
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/file/units.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/centre_symbol.hpp"
@@ -28,7 +29,7 @@ using Kind = Quantity::Kind;
 /// To the range from 0 to 360.
 double whole_turn(double degrees) { return degrees < 0 ? degrees + 360 : degrees; }
 double degrees_of(const Vector& vector) {
-    return whole_turn(std::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi);
+    return whole_turn(nearest::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi);
 }
 
 /// Whether the file's drivers give the quantity.
@@ -224,7 +225,7 @@ private:
             return degrees_of(direction_of(force->along, solution_.pose));
         if (const auto* actuator = std::get_if<ActuatorEffort>(&effort)) {
             const VectorOf<double> along = direction_of_sliding(solution_.pose, actuator->joint);
-            return whole_turn(std::atan2(along.y, along.x) * 180 / std::numbers::pi);
+            return whole_turn(nearest::atan2(along.y, along.x) * 180 / std::numbers::pi);
         }
         return std::nullopt;
     }
@@ -282,7 +283,7 @@ private:
 
 /// The significant decimals for a tolerance.
 int decimals_of(double tolerance) {
-    return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9);
+    return std::clamp(static_cast<int>(-std::floor(nearest::log10(tolerance) + 1e-9)), 0, 9);
 }
 struct AnswerCells {
     std::array<ShapedLine, 5> all;  // quantity, value, tolerance, unit, direction
@@ -478,7 +479,7 @@ Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& an
     answer.quantity = asked.column.quantity;
     if (asked.column.kind == Column::Kind::along) {
         const VectorOf<double> positive = direction_of_sliding(context.solution.pose, asked.column.quantity.joint);
-        answer.direction = whole_turn(std::atan2(positive.y, positive.x) * 180 / std::numbers::pi);
+        answer.direction = whole_turn(nearest::atan2(positive.y, positive.x) * 180 / std::numbers::pi);
     }
     return answer;
 }
@@ -515,7 +516,7 @@ int order_of(Topic section) {
 }  // namespace
 
 double rounded_up(double tolerance) {
-    const double power = std::pow(10.0, std::floor(std::log10(tolerance) + 1e-9));
+    const double power = nearest::pow(10.0, std::floor(nearest::log10(tolerance) + 1e-9));
     return std::ceil(tolerance / power - 1e-6) * power;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/number/functions.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/solution.hpp"
 
@@ -46,7 +47,7 @@ private:
     std::optional<double> clean(const Quantity& quantity, std::optional<double> value, bool vanishes) const {
         if (!value || magnitudes_.is_noise(quantity, *value)) return value ? 0 : value;
         const bool within = vanishes && solution_.pose.is_rounded() &&
-                            std::abs(*value) <= std::cbrt(solution_.pose.rounding()) * magnitudes_.of(quantity);
+                            std::abs(*value) <= nearest::cbrt(solution_.pose.rounding()) * magnitudes_.of(quantity);
         return within ? 0 : value;
     }
 

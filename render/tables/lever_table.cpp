@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
@@ -54,7 +55,7 @@ public:
         for (const VirtualWork::Entry& entry : work_.entries)
             largest_ = std::max(largest_, std::abs(entry.power.to_double()));
         plain_powers_ = largest_ == 0 || (largest_ >= 1e-3 && largest_ < 1e7);
-        decimals_ = largest_ > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest_))), 0, 6) : 0;
+        decimals_ = largest_ > 0 ? std::clamp(3 - static_cast<int>(std::floor(nearest::log10(largest_))), 0, 6) : 0;
         add_head();
         for (const VirtualWork::Entry& entry : work_.entries) {
             if (!entry.force.is_zero()) add_force(entry);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/common.hpp"
@@ -42,7 +43,7 @@ void set_centred(std::vector<Mark>& marks, ShapedLine shaped, double middle, dou
 std::optional<int> decimals_for(double largest) {
     if (!(largest > 0)) return 1;
     if (largest >= 1e6 || largest < 1e-3) return std::nullopt;
-    const int leading = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    const int leading = static_cast<int>(std::floor(nearest::log10(largest))) + 1;
     return std::clamp(5 - leading, 0, 7);
 }
 /// A length read off the drawing to 0.1 mm times its scale, with the decimals that such a reading justifies.
@@ -55,8 +56,8 @@ struct Reading {
 std::optional<double> scale_of(const ResultRow& row) {
     if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) return std::nullopt;
     const double scale = std::abs(row.drawing) / *row.millimetres;
-    const int decimals = 6 - static_cast<int>(std::floor(std::log10(scale)));
-    const double power = std::pow(10.0, std::abs(decimals));
+    const int decimals = 6 - static_cast<int>(std::floor(nearest::log10(scale)));
+    const double power = nearest::pow(10.0, std::abs(decimals));
     return decimals < 0 ? std::round(scale / power) * power : std::round(scale * power) / power;
 }
 std::optional<Reading> reading_of(const ResultRow& row) {
@@ -67,7 +68,7 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     // Halves round up, as by hand, although 0.23175 as a double is slightly less.
     constexpr double slightly_more = 1 + 1e-12;
     return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * slightly_more,
-                   std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
+                   std::clamp(static_cast<int>(-std::floor(nearest::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
 /// A scale without trailing zeros: 0.005.
 std::string round_number(double value, Language language) {
@@ -652,7 +653,7 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
         return one_piece(pair_of(coordinate(x), coordinate(y), language));
     }
     if (centre.at) {
-        double angle = std::atan2(centre.at->y.to_double(), centre.at->x.to_double()) * 180 / std::acos(-1.0);
+        double angle = nearest::atan2(centre.at->y.to_double(), centre.at->x.to_double()) * 180 / nearest::acos(-1.0);
         if (angle < 0) angle += 180;
         if (angle >= 180) angle -= 180;
         return one_piece("∞, " + fixed(angle, 2, language) + "°");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
@@ -148,7 +149,8 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
         const auto x = checks.of(reversed.along(Quantity::Component::x)),
                    y = checks.of(reversed.along(Quantity::Component::y));
         add({.kind = Quantity::Kind::force, .body = from, .other = frame, .joint = external.joint}, external.symbol,
-            kinegraph::length(*external.force) / si, x && y ? std::optional(std::hypot(*x, *y) / si) : std::nullopt);
+            kinegraph::length(*external.force) / si,
+            x && y ? std::optional(nearest::hypot(*x, *y) / si) : std::nullopt);
     }
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         const Quantity quantity{.kind = Quantity::Kind::bar, .body = truss.structure.bars[bar].body};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/utf8.hpp"
@@ -37,7 +38,7 @@ Piece symbol(std::string_view name) {
 
 /// Without trailing zeros, and without the rounding noise of a division.
 std::string given(double value, Language language) {
-    const double power = std::pow(10.0, 9 - std::floor(std::log10(std::abs(value))));
+    const double power = nearest::pow(10.0, 9 - std::floor(nearest::log10(std::abs(value))));
     const double round = value == 0 ? 0 : std::round(value * power) / power;
     const std::string text = shortest(round, language);
     constexpr std::size_t longest = 9;

@@ -163,8 +163,8 @@ private:
 }  // namespace
 
 std::unique_ptr<Typeface> typeface_of(std::string_view file, std::shared_ptr<const void> owner) {
-    Owned<hb_blob_t> blob(hb_blob_create(file.data(), static_cast<unsigned>(file.size()), HB_MEMORY_MODE_READONLY,
-                                         nullptr, nullptr));
+    Owned<hb_blob_t> blob(
+        hb_blob_create(file.data(), static_cast<unsigned>(file.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
     const Owned<hb_face_t> face(hb_face_create(blob.get(), 0));
     if (hb_face_get_glyph_count(face.get()) == 0) return nullptr;
     return std::make_unique<OpenTypeFace>(std::move(blob), face.get(), std::move(owner));

@@ -2,12 +2,12 @@
 #define FMT_HEADER_ONLY
 #include <fmt/format.h>
 
+#include <fast_float/fast_float.h>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fast_float/fast_float.h>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -58,7 +58,8 @@ std::string fixed(const Shortest& number, double value) {
     // An integer beyond its shortest digits is printed exactly: no longer than with zeros, and nearer.
     if (number.point > count) return printed("%.*f", 0, value);
     std::string text = number.is_negative ? "-" : "";
-    if (number.point <= 0) return text + "0." + std::string(static_cast<std::size_t>(-number.point), '0') + number.digits;
+    if (number.point <= 0)
+        return text + "0." + std::string(static_cast<std::size_t>(-number.point), '0') + number.digits;
     const auto before = static_cast<std::size_t>(number.point);
     text += number.digits.substr(0, before);
     return number.point == count ? text : text + '.' + number.digits.substr(before);
@@ -92,14 +93,18 @@ to_chars_result to_chars(char* first, char* last, double value, chars_format for
 
 to_chars_result to_chars(char* first, char* last, double value, chars_format format, int precision) {
     if (!isfinite(value)) return copied(first, last, unusual(value));
-    const char* const as = format == chars_format::fixed ? "%.*f" : format == chars_format::scientific ? "%.*e" : "%.*g";
+    const char* const as = format == chars_format::fixed        ? "%.*f"
+                           : format == chars_format::scientific ? "%.*e"
+                                                                : "%.*g";
     return copied(first, last, printed(as, precision, value));
 }
 
 from_chars_result from_chars(const char* first, const char* last, double& value, chars_format format) {
-    const auto read = fast_float::from_chars(first, last, value, static_cast<fast_float::chars_format>(
-        format == chars_format::general ? fast_float::general
-        : format == chars_format::fixed ? fast_float::fixed : fast_float::scientific));
+    const auto read = fast_float::from_chars(
+        first, last, value,
+        static_cast<fast_float::chars_format>(format == chars_format::general ? fast_float::general
+                                              : format == chars_format::fixed ? fast_float::fixed
+                                                                              : fast_float::scientific));
     return {read.ptr, read.ec};
 }
 
