@@ -2,13 +2,15 @@
 // Newton's in twice the digits makes it unimportant which.
 #include "engine/number/functions.hpp"
 
+#include <mpfr.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
-#include "engine/number/exact.hpp"
 #include "engine/number/wide.hpp"
 
 namespace kinegraph::nearest {
@@ -25,6 +27,22 @@ struct Quarter {
     int turns;  ///< modulo 4
     Wide rest;
 };
+/// Of any finite x, by as many digits of π as that takes.
+Quarter of_a_large(double x) {
+    constexpr mpfr_prec_t bits = 1280;
+    mpfr_t quarter, rest;
+    mpfr_inits2(bits, quarter, rest, nullptr);
+    mpfr_const_pi(quarter, MPFR_RNDN);
+    mpfr_div_2ui(quarter, quarter, 1, MPFR_RNDN);
+    mpfr_set_d(rest, x, MPFR_RNDN);
+    long turns = 0;  // its lowest bits
+    mpfr_remquo(rest, &turns, rest, quarter, MPFR_RNDN);
+    const double high = mpfr_get_d(rest, MPFR_RNDN);
+    mpfr_sub_d(rest, rest, high, MPFR_RNDN);
+    const double low = mpfr_get_d(rest, MPFR_RNDN);
+    mpfr_clears(quarter, rest, nullptr);
+    return {static_cast<int>(turns & 3), {high, low}};
+}
 Quarter quarter_of(double x) {
     constexpr double most = 1e5;  // up to which turns·(the upper digits of π/2) are exact
     if (std::abs(x) <= 0.75) return {0, {x}};
@@ -36,11 +54,7 @@ Quarter quarter_of(double x) {
         rest = rest - product_of(turns, third);
         return {static_cast<int>(static_cast<std::int64_t>(turns) & 3), rest};
     }
-    const Exact exact = Exact::from_double(x), quarter = pi() / 2;
-    const Exact turns = rounded(exact / quarter, 0), rest = exact - turns * quarter;
-    const Exact fours = rounded(turns / 4 - Exact::ratio(3, 8), 0);  // its floor
-    const double high = rest.to_double();
-    return {static_cast<int>((turns - fours * 4).to_double()), {high, (rest - Exact::from_double(high)).to_double()}};
+    return of_a_large(x);
 }
 
 struct SineCosine {

@@ -58,7 +58,7 @@ char* put_decimals(char* at, std::uint64_t rest) {
 void Bytes::grow(std::size_t more) {
     constexpr std::size_t least = 512;
     capacity_ = std::max({2 * capacity_, least, size_ + more});
-    auto larger = std::make_unique_for_overwrite<char[]>(capacity_);
+    std::unique_ptr<char[]> larger(new char[capacity_]);  // not filled with zeros first
     if (size_ > 0) std::memcpy(larger.get(), bytes_.get(), size_);
     bytes_ = std::move(larger);
 }
