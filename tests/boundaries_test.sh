@@ -136,6 +136,10 @@ check() {
             breach "kinds of joint are the table of pairs' and the check's"
         grep -rnE '(data_figure|(figure|drawn|wanted)[a-z_]*(\.|->)(id|name)) *[!=]= *"' render problems app 2>/dev/null |
             breach "a figure is told from another by its FigureId or its traits, not by text"
+        grep -rnE 'std::(a?sin|a?cos|a?tan|atan2|exp|log|log10|pow|sinh|cosh|tanh|cbrt|hypot)\(' \
+            engine constructions render problems app --include='*.[ch]pp' 2>/dev/null |
+            grep -v '^engine/number/functions\.cpp:' |
+            breach "elementary functions are those of engine/number/functions.hpp, the same on every machine"
         # A point and its key are many other things, too.
         kinds=$(ls problems 2>/dev/null | grep -vx point | paste -sd '|')
         grep -rnE "\"(${kinds:-none})\"" engine constructions render --include='*.[ch]pp' 2>/dev/null |
@@ -217,6 +221,7 @@ seen "public headers include" include/kinegraph/a.hpp '"engine/number/exact.hpp"
 seen "kinds of problems" render/sheet/a.cpp '"hertz"' problems/hertz/a.cpp '<vector>'
 seen "not by text" render/sheet/a.cpp 'figure.data_figure == "forces"'
 seen "not by text" render/tables/a.cpp 'figure.id != "cremona"'
+seen "the same on every machine" render/page/a.cpp 'const double c = std::cos(angle);'
 seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
 seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
     tests/a_test.cpp 'JointKind::gear'

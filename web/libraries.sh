@@ -20,7 +20,8 @@ fetch_sources() {
     release=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
     mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[.*\] \)\{0,1\}\([a-z]*:[^ ]*\) .* main.*/\2/p' \
         /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | head -n 1)
-    printf 'deb-src %s %s main\n' "${mirror:-http://deb.debian.org/debian}" "$release" >"$cache/apt/sources.list"
+    [ -n "$mirror" ] || { say "apt's sources name no mirror of Debian, from which source packages could come"; return 1; }
+    printf 'deb-src %s %s main\n' "$mirror" "$release" >"$cache/apt/sources.list"
     apt_sources update -q && (cd "$sources" && apt_sources source -q "$@")
 }
 apt_sources() {

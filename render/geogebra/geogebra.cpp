@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/library.hpp"
 #include "render/geogebra/construction.hpp"
 #include "render/geogebra/placing.hpp"

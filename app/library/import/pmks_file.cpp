@@ -13,6 +13,7 @@
 #include "engine/file/json_text.hpp"
 #include "engine/file/units.hpp"
 #include "engine/number/exact.hpp"
+#include "engine/number/functions.hpp"
 #include "lang/keys/imports.hpp"
 
 namespace kinegraph::app {
@@ -45,7 +46,7 @@ std::string decimal(Thousandths value) {
 /// Two digits of a small length, without an exponent.
 std::string two_digits(double value) {
     std::array<char, 64> text{};
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(value))), 0, 18);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(nearest::log10(value))), 0, 18);
     std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
     return text.data();
 }
