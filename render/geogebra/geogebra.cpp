@@ -112,16 +112,26 @@ private:
         return {true, dashed, colour, std::move(caption)};
     }
 
+    /// Of the points, and of the centres that are not too far away to be seen beside them.
     void find_bounds() {
         const auto& points = solution_.pose.points;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const VectorOf<double> at = to_double(points[i]);
-            left_ = i == 0 ? at.x : std::min(left_, at.x);
-            right_ = i == 0 ? at.x : std::max(right_, at.x);
-            low_ = i == 0 ? at.y : std::min(low_, at.y);
-            high_ = i == 0 ? at.y : std::max(high_, at.y);
-        }
         size_ = solution_.pose.size.to_double();
+        const VectorOf<double> first = to_double(points.front());
+        left_ = right_ = first.x;
+        low_ = high_ = first.y;
+        for (const Vector& point : points) include(to_double(point));
+        const double far = 1.2 * size_, left = left_ - far, right = right_ + far, low = low_ - far, high = high_ + far;
+        for (const InstantCentre& each : solution_.centres) {
+            if (!each.at || each.at->at_infinity()) continue;
+            const VectorOf<double> at = to_double(each.at->place());
+            if (at.x > left && at.x < right && at.y > low && at.y < high) include(at);
+        }
+    }
+    void include(const VectorOf<double>& at) {
+        left_ = std::min(left_, at.x);
+        right_ = std::max(right_, at.x);
+        low_ = std::min(low_, at.y);
+        high_ = std::max(high_, at.y);
     }
 
     void draw_position() {
@@ -179,6 +189,10 @@ private:
             const auto& bodies = solution_.mechanism.bodies;
             const std::string name = bodies[at_index(each.first)].name + bodies[at_index(each.second)].name;
             captions_.emplace(each.at.element(), shown(theme_.accent, "P_{" + name + "}"));
+            // Kennedy's two lines, on which it lies.
+            const Stroke& stroke = program_.strokes[at_index(each.at.element())];
+            if (stroke.verb != Verb::meet || each.how != InstantCentre::How::kennedy) continue;
+            for (const ElementIndex line : stroke.inputs) captions_.emplace(line, shown(theme_.faint, {}, true));
         }
         for (std::size_t i = 0; i < solution_.bodies.size(); ++i) {
             const std::string& name = solution_.mechanism.bodies[i].name;

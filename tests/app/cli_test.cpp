@@ -35,9 +35,10 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         const char* arguments;
         const char* said;
     } rows[] = {
-        {"", "kinegraph: a command is missing; there are solve, sweep, variants, cam, check, diff, pairs.*"},
+        {"", "kinegraph: a command is missing; there are solve, sweep, variants, cam, check, import, diff, pairs.*"},
         {"slove four_bar.json",
-         "kinegraph: no command is named \"slove\"; there are solve, sweep, variants, cam, check, diff, pairs.*"},
+         "kinegraph: no command is named \"slove\"; there are solve, sweep, variants, cam, check, import, diff, "
+         "pairs.*"},
         {"--exact", "kinegraph: .*"},
         {"solve", "kinegraph: FILE is required.*"},
         {"check", "kinegraph: FILE is required.*"},
@@ -47,8 +48,10 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve four_bar.json -o", "kinegraph: --output.*"},
         {"solve four_bar.json -o ''", "kinegraph: -o \"\" names no file"},
         {"solve four_bar.json -o ./", "kinegraph: -o \"./\" names no file"},
-        {"solve four_bar.json -o a.bmp", "kinegraph: -o a.bmp: .*\\.svg, \\.png, \\.pdf, \\.tex, \\.json or \\.html.*"},
-        {"solve four_bar.json -o a", "kinegraph: -o a: .*\\.svg, \\.png, \\.pdf, \\.tex, \\.json or \\.html.*"},
+        {"solve four_bar.json -o a.bmp",
+         "kinegraph: -o a.bmp: .*\\.svg, \\.png, \\.pdf, \\.tex, .*\\.json, \\.html, .* or \\.ggb.*"},
+        {"solve four_bar.json -o a",
+         "kinegraph: -o a: .*\\.svg, \\.png, \\.pdf, \\.tex, .*\\.json, \\.html, .* or \\.ggb.*"},
         {"solve four_bar.json -o a.svg -o b.gif", "kinegraph: -o b.gif: .*"},
         {"solve four_bar.json -o -", "kinegraph: -o - needs --format.*"},
         {"solve four_bar.json -o - -o - --format json", "kinegraph: standard output can carry one output only"},
