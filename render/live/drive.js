@@ -222,10 +222,18 @@ export class Drive {
         // What is hidden follows when it is shown.
         const {page} = this, figures = page.figures.filter(({svg}) => svg.closest('.shown'));
         const written = (/** @type {number} */ value) => page.numberText(value);
+        /**
+         * Boxes of labels in drawings that lie on each other, m.
+         * @type {ReturnType<FigureView['labels']['placed']['boxes']>}
+         */
+        const known = [];
         for (const view of figures) {
+            const isStacked = page.stage.stacked.some((node) => node.contains(view.svg));
             view.written = written;
+            view.crowd.others = isStacked ? known.map((box) => view.boxOnPaper(box)) : [];
             this.showFigure(view, motion);
             view.showValues(page.at('values').checked, written);
+            if (isStacked) known.push(...view.labels.placed.boxes());
         }
         for (const node of page.stage.shown) page.stage.fitOverlay(node);
         this.page.ruler.show();
@@ -256,6 +264,7 @@ export class Drive {
             if (view.info.name === 'mechanism' && this.page.traces.isTraced)
                 view.svg.setAttribute('viewBox', this.rooms.of(view).join(' '));
             view.held?.take(false);
+            view.labels.placed.makeWay();
             return this.sayScale(view);
         }
         const fits = this.page.at('fit').checked && !view.isMechanism && !motion.isOwn;

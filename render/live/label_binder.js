@@ -2,6 +2,7 @@
 
 import {dot, quarterTurn, unitOf} from './closure.js';
 import {endsOf} from './held_marks.js';
+import {PlacedLabels} from './placed_labels.js';
 import {along, apart, boxOf, leastVector, minus, parsePath, samePlace, spotsOf} from './path.js';
 /** @typedef {import('./figures.js').FigureView} FigureView */
 /** @typedef {import('./types.js').Spot} Spot */
@@ -10,6 +11,7 @@ export class LabelBinder {
     /** @param {FigureView} view */
     constructor(view) {
         this.view = view;
+        this.placed = new PlacedLabels(view);
     }
     bindLabels() {
         this.bindLabelsOfDetails();
@@ -87,12 +89,14 @@ export class LabelBinder {
     bindToPlace(parts, place) {
         const drawn = place();
         if (!drawn) return parts.forEach((part) => part.classList.add('still'));
+        const placed = parts[0].matches('g.label') ? this.placed.note(parts) : null;
         this.view.bindings.push(() => {
             const now = place();
             for (const part of parts) {
                 this.view.marks.show(part, now !== null);
                 if (now) this.view.marks.translate(part, minus(now, drawn));
             }
+            if (placed && now) placed.by = minus(now, drawn);
         });
     }
     /**
@@ -137,11 +141,13 @@ export class LabelBinder {
      * @param {() => Spot[]} placesNow
      */
     placeLabel(parts, centre, box, placesNow) {
+        const placed = this.placed.note(parts, centre, box);
         this.view.placings.push(() => {
             const places = placesNow();
             parts.forEach((part) => this.view.marks.show(part, places.length > 0));
             if (places.length === 0) return;
             const by = minus(this.view.crowd.best(places, box), centre);
+            placed.by = by;
             parts.forEach((part) => this.view.marks.translate(part, by));
         });
     }

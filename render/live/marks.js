@@ -49,6 +49,10 @@ export class Marks {
     show(node, visible) {
         this.set(node, 'visibility', visible ? 'inherit' : 'hidden');
     }
+    /** @param {Element} node */
+    isShown(node) {
+        return this.drawn.get(node)?.get('visibility')?.now !== 'hidden';
+    }
     /**
      * Set before the node's own transform.
      * @param {Element} node

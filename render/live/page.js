@@ -9,11 +9,11 @@ import {Keys} from './keys.js';
 import {Ruler} from './measure.js';
 import {Motion} from './motion.js';
 import {Panel} from './panel.js';
+import {Traces} from './plot.js';
 import {rowsOf} from './room.js';
 import {Stage} from './stage.js';
 import {Steps} from './steps.js';
 import {Teller} from './tell.js';
-import {Traces} from './traces.js';
 /** @typedef {import('./types.js').Course} Course */
 
 /** @typedef {'move' | 'steps' | 'try' | 'results' | 'given'} Mode */

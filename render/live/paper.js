@@ -100,6 +100,11 @@ export class Paper {
     paper(at) {
         return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
     }
+    /** @param {{left: number, right: number, top: number, bottom: number}} box m, y upwards */
+    boxOnPaper({left, right, top, bottom}) {
+        const a = this.paper({x: left, y: top}), b = this.paper({x: right, y: bottom});
+        return {left: a.x, right: b.x, top: a.y, bottom: b.y};
+    }
     /**
      * The same for the figure as drawn.
      * @param {Spot} at

@@ -1,11 +1,11 @@
-// The plot of a value over the driver's range, with axes, ticks, units, and the stops and poles of the range. Drawn
-// once
-// for a range; a mark runs along.
+// The plot of a value over the driver's range, with axes, ticks, units, and the stops and poles of the range; and the
+// path of a point on the mechanism. Each is drawn once for a range; a mark runs along.
 
+import {fill, unscored} from './exercise.js';
 import {drawn} from './measure.js';
-import {nameOf} from './traces.js';
 /** @typedef {import('./motion.js').Motion} Motion */
 /** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./types.js').Column} Column */
 
 /** The place of the curve in the drawing, mm. */
 const plotLeft = 16, plotTop = 8, plotWide = 100, plotTall = 52;
@@ -171,4 +171,74 @@ function stepsOfDriver(from, to, inDegrees) {
     const steps = inDegrees && round ? Array.from({length: Math.floor(to / round) - Math.ceil(from / round) + 1},
         (_, i) => (Math.ceil(from / round) + i) * round) : roundSteps(from, to, 6);
     return steps.filter((step) => step >= from - 1e-9 && step <= to + 1e-9);
+}
+
+/**
+ * The name as on the sheet.
+ * @param {Column} column
+ */
+export function nameOf({name, symbol}) {
+    return unscored(symbol || name);
+}
+
+export class Traces {
+    /** @param {Page} page */
+    constructor(page) {
+        this.page = page;
+        /** @type {(() => void)[]} */
+        this.marks = [];
+    }
+    wire() {
+        for (const id of ['trace', 'plot']) this.page.at(id).onchange = () => this.draw();
+    }
+    /** @param {Motion} motion */
+    fillLists(motion) {
+        const {page} = this, trace = page.at('trace'), plot = page.at('plot');
+        const none = ['', page.word('none')];
+        const points = motion.data.points.flatMap(([body], i) => body === 0 ? [] :
+            [[String(i), unscored(page.data.names.points[i].label)]]);
+        fill(trace, [none, ...points], trace.value);
+        fill(plot, [none, ...motion.data.columns.map((column, i) =>
+            [String(i), column.unit === '' ? nameOf(column) : `${nameOf(column)} [${column.unit}]`])], plot.value);
+    }
+    /** Draws for the current language and driver. */
+    draw() {
+        const {page} = this, {motion} = page;
+        for (const node of document.querySelectorAll('g.trace, figure.plot')) node.remove();
+        this.marks = [];
+        if (!motion) return;
+        this.fillLists(motion);
+        if (page.at('trace').value !== '') this.drawTrace(Number(page.at('trace').value));
+        if (page.at('plot').value !== '') this.drawPlot(motion, Number(page.at('plot').value));
+        page.stage.show();
+    }
+    get isTraced() {
+        return this.page.at('trace').value !== '';
+    }
+    /** @param {number} point */
+    drawTrace(point) {
+        const {page} = this, path = page.pathOf(point);
+        for (const view of page.figures.filter(({info}) => info.name === 'mechanism')) {
+            const group = drawn(view.svg, 'g', {class: 'trace'});
+            const spots = path.map((at) => view.paper(at)).map(({x, y}) => `${x.toFixed(3)} ${y.toFixed(3)}`);
+            drawn(group, 'path', {d: `M${spots.join('L')}`});
+            const mark = drawn(group, 'circle', {r: 1.2});
+            this.marks.push(() => {
+                const at = view.point(point);
+                mark.setAttribute('cx', at.x.toFixed(3));
+                mark.setAttribute('cy', at.y.toFixed(3));
+            });
+        }
+    }
+    /**
+     * @param {Motion} motion
+     * @param {number} index of the column
+     */
+    drawPlot(motion, index) {
+        const {page} = this, plot = new Plot(page, motion, index), place = page.sheet.querySelector('.figures');
+        if (!plot.isEmpty && place) this.marks.push(plot.draw(place));
+    }
+    show() {
+        for (const mark of this.marks) mark();
+    }
 }

@@ -70,10 +70,15 @@ export class Crowd {
         this.boxes = [];
         /** @type {Spot[][]} */
         this.strokes = [];
+        /**
+         * Of labels in drawings on which this one lies.
+         * @type {{left: number, right: number, top: number, bottom: number}[]}
+         */
+        this.others = [];
     }
     /** @param {Spot[][]} strokes */
     clear(strokes) {
-        this.boxes = [];
+        this.boxes = [...this.others];
         this.strokes = strokes.filter((ends) => ends.length === 2);
     }
     /**

@@ -73,6 +73,45 @@ for (const zoom of [1, 2]) {
     }
 }
 
+/** In the page: the largest area, mm², that a label of a layer shares with one of another layer. */
+const labelsOnEachOther = `(() => {
+    const rim = 0.3, all = [...document.querySelectorAll('main:not([hidden]) figure.shown svg.fitted g.label')].filter((each) =>
+        !each.closest('.twin, .dimension, .detail, .still') && getComputedStyle(each).visibility !== 'hidden').map((each) => {
+        const {left, right, top, bottom} = each.getBoundingClientRect(), mm = each.ownerSVGElement.getScreenCTM().a;
+        return {figure: each.closest('figure'), name: each.dataset.label, left: left / mm + rim, right: right / mm - rim,
+            top: top / mm + rim, bottom: bottom / mm - rim};
+    });
+    const worst = {area: 0, names: ''};
+    all.forEach((a, i) => all.slice(i + 1).filter((b) => b.figure !== a.figure).forEach((b) => {
+        const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left), tall = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        if (wide > 0 && tall > 0 && wide * tall > worst.area) Object.assign(worst, {area: wide * tall, names: a.name + ' on ' + b.name});
+    }));
+    return {...worst, count: all.length};
+})()`;
+for (const name of ['four_bar', 'exam_2001']) {
+    test(`layers of ${name} lie exactly on each other, and their labels do not`, async (t) => {
+        await open(`file://${pageOf(name)}`, {width: 1366, height: 768});
+        await run(`kinegraph.setMode('move'), ['centres', 'velocities'].forEach((each) => kinegraph.stage.isOn(each) || kinegraph.stage.turn(each))`);
+        assert.ok(await run('kinegraph.stage.stacked.length') > 1);
+        const {samples} = {samples: await run('kinegraph.course.samples.map(({at}) => at)')};
+        let most = {area: 0};
+        for (let i = -1; i < 12; ++i) {
+            if (i >= 0) await run(`kinegraph.moveTo(${samples[0] + (samples[samples.length - 1] - samples[0]) * (i + 0.37) / 12})`);
+            const boxes = await run(`kinegraph.stage.stacked.map((each) => {
+                const view = kinegraph.figures.find(({svg}) => each.contains(svg)), {x, y} = view.point(0);
+                return (({x, y}) => [x, y])(new DOMPoint(x, y).matrixTransform(view.svg.getScreenCTM()));
+            })`);
+            for (const [x, y] of boxes) assert.ok(Math.hypot(x - boxes[0][0], y - boxes[0][1]) < 0.5, JSON.stringify(boxes));
+            const found = await run(labelsOnEachOther);
+            assert.ok(found.count > 8);
+            if (found.area > most.area) most = found;
+        }
+        t.diagnostic(JSON.stringify(most));
+        assert.ok(most.area < 1, JSON.stringify(most));
+        assert.deepEqual(messages, []);
+    });
+}
+
 test('hall mode shows one statement and announces the next strokes; a remote control goes on and back', async () => {
     await open(`file://${pageOf('four_bar')}`, {width: 1280, height: 720});
     await run('kinegraph.showStep(6), document.getElementById("hall").click()');
