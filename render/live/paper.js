@@ -42,8 +42,9 @@ export class Paper {
         /** A free body, or a free pin. */
         this.isFree = /^(body|pin)-/.test(info.name);
         /** Whether its marks say what they belong to. */
-        this.isHeld = this.isFree ||
-            /^(lines-|curvature-|moving-axes|displacements|(joukowsky|loops|truss)$)/.test(info.name);
+        this.isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name) ||
+            (/^(moving-axes|displacements|(loops|truss)$)/.test(info.name) &&
+                group.querySelector('[data-on]') !== null);
         this.isMechanism =
             ['mechanism', 'centres', 'velocities'].includes(info.name) || (this.isHeld && info.name !== 'joukowsky');
         /** Units of the quantity for a mm of a vector; a drawing of the mechanism may show vectors. */

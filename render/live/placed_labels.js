@@ -61,10 +61,10 @@ export class PlacedLabels {
         crowd.clear([...links.bars()]);
         for (const each of seen) if (!covered.includes(each)) crowd.boxes.push(boxAt(each));
         for (const each of covered) {
-            const places = [0, ...[2, 4, 6, 9, 13].flatMap((far) => Array.from({length: 12}, (_, i) => ({far, i})))];
-            const at = crowd.best(places.map((place) => typeof place === 'number' ? each.centre :
-                along(each.centre, place.far, {x: Math.cos(place.i * Math.PI / 6), y: Math.sin(place.i * Math.PI / 6)})),
-            each.size);
+            const turns = Array.from({length: 12}, (_, i) => i * Math.PI / 6);
+            const places = [each.centre, ...[2, 4, 6, 9, 13].flatMap((far) => turns.map((turn) =>
+                along(each.centre, far, {x: Math.cos(turn), y: Math.sin(turn)})))];
+            const at = crowd.best(places, each.size);
             each.by = minus(at, each.centre);
             for (const part of each.parts) marks.translate(part, each.by);
         }
