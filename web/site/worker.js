@@ -1,5 +1,4 @@
 // The worker of the static site: answers requests, texts of JSON, in their order.
-/// <reference lib="webworker" />
 import {openModule} from './module.js';
 
 const compiled = WebAssembly.compileStreaming(fetch('kinegraph.wasm'));
