@@ -8,8 +8,6 @@ const badDescriptor = 8, done = 0;
  * @returns {Promise<((request: string) => string) & {size: () => number}>} size: bytes of memory
  */
 export async function openModule(compiled) {
-    /** @type {any} */
-    let of;
     const view = () => new DataView(of.memory.buffer);
     const wasi = {
         fd_close: () => badDescriptor,
@@ -39,7 +37,7 @@ export async function openModule(compiled) {
         wasi_snapshot_preview1: wasi,
         env: {emscripten_notify_memory_growth: () => {}},
     });
-    of = instance.exports;
+    const of = /** @type {any} */ (instance.exports);
     of._initialize?.();
     const encoder = new TextEncoder(), decoder = new TextDecoder();
     const answer = (/** @type {string} */ request) => {
