@@ -101,10 +101,11 @@ public:
         for (std::size_t i = 0; i < program_.strokes.size(); ++i)
             if (needed_[i]) add_stroke(ElementIndex(i));
         if (placing_.fault()) return tl::unexpected(*placing_.fault());
-        const double height = high_ - low_;
-        const double below = low_ - size_ * (0.3 + 0.07 * (texts_ + 1));
-        return construction_.xml(
-            {left_ - 0.2 * size_, right_ + 3 * size_, std::min(below, low_ - 0.2 * height), high_ + 0.3 * size_});
+        const double top = high_ + 0.3 * size_;
+        // Of many sentences the last stand below what is seen at first.
+        constexpr double height_over_width = 0.6;
+        const double bottom = std::min(low_ - 0.3 * size_, top - height_over_width * width());
+        return construction_.xml({left_ - 0.2 * size_, left_ - 0.2 * size_ + width(), bottom, top});
     }
 
 private:
@@ -112,6 +113,8 @@ private:
         return {true, dashed, colour, std::move(caption)};
     }
 
+    /// What is seen: the mechanism and the two polygons beside it.
+    double width() const { return right_ - left_ + 3.2 * size_; }
     /// Of the points, and of the centres that are not too far away to be seen beside them.
     void find_bounds() {
         const auto& points = solution_.pose.points;
@@ -323,9 +326,10 @@ private:
         if (!said_.insert(statement).second) return;
         construction_.pause();
         ++texts_;
+        constexpr double row = 0.017;  // of the width: lines of 20 pixels on a screen of 1200
         construction_.text(
             std::to_string(texts_) + ". " + tell(protocol_.statements[at_index(statement)].message, language_), left_,
-            low_ - size_ * (0.3 + 0.07 * texts_));
+            low_ - 0.3 * size_ - row * texts_ * width());
     }
 
     const Solution& solution_;
