@@ -16,6 +16,7 @@
 #include "render/backends/backends.hpp"
 #include "render/backends/dxf_document.hpp"
 #include "render/backends/live_text.hpp"
+#include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -69,6 +70,18 @@ constexpr auto layers_by_class = std::to_array<std::pair<std::string_view, std::
     {"figure", "figures"},
 });
 constexpr std::string_view sheet_layer = "sheet";  // frame, title block, rules of tables
+
+/// Whether the fonts of drafting programs have all letters: those of WGL4, which Times New Roman has, and letters of
+/// other scripts, for which programs have fonts of their own. ⟂, ✓ and ① are drawn.
+bool is_in_usual_fonts(std::string_view text) {
+    constexpr std::u32string_view signs = U"–—‘’“”†‡•…‰′″‹›⁄€∂∆∏∑−√∞∫≈≠≡≤≥←↑→↓↔↕";
+    for (std::size_t at = 0; at < text.size();) {
+        const char32_t c = next_code_point(text, at);
+        const bool is_letter = c < 0x590 || (c >= 0x3040 && c < 0xFB00);
+        if (!is_letter && signs.find(c) == std::u32string_view::npos) return false;
+    }
+    return true;
+}
 
 /// A vertex of a polyline. The bulge is that of the way to the next one: the tangent of a quarter of its turn.
 struct Vertex {
@@ -360,20 +373,23 @@ private:
             blanks.clear();
         };
         for (const LiveRun& run : line.runs) {
-            if (run.kind == LiveRun::Kind::blank) blanks += run.text;
+            if (run.kind == LiveRun::Kind::blank) blanks += ' ';
             if (run.kind != LiveRun::Kind::set && run.kind != LiveRun::Kind::coded) continue;
-            if (run.letters.empty()) continue;
-            const Glyph& glyph = run.letters.front().glyph;
-            const bool joins = words && run.kind == LiveRun::Kind::set && glyph.face == words->first.face &&
-                               glyph.size == words->first.size && glyph.origin.y == words->first.origin.y &&
-                               run.colour == words->colour && glyph.origin.x > words->last.origin.x;
-            if (!joins) {
-                flush();
-                words = Words{"", glyph, glyph, run.colour};
+            for (const Letter& letter : run.letters) {
+                const Glyph& glyph = letter.glyph;
+                if (run.kind == LiveRun::Kind::set && !is_in_usual_fonts(letter.text)) {
+                    flush();
+                    outline(*line.first, letter.glyph, run.colour, layer);
+                    continue;
+                }
+                const bool joins = words && glyph.face == words->first.face && glyph.size == words->first.size &&
+                                   glyph.origin.y == words->first.origin.y && run.colour == words->colour;
+                if (!joins) flush();
+                if (!joins) words = Words{"", glyph, glyph, run.colour};
+                words->text += blanks + letter.text;
+                blanks.clear();
+                words->last = glyph;
             }
-            words->text += blanks + run.text;
-            blanks.clear();
-            words->last = run.letters.back().glyph;
             if (run.kind == LiveRun::Kind::coded) flush();
         }
         flush();
@@ -386,6 +402,22 @@ private:
                 }
                 write(extra, layer);
             }
+    }
+
+    /// Fills the outline of a letter.
+    void outline(const TextMark& mark, const Glyph& glyph, Colour colour, std::string_view layer) {
+        const auto at = [&](Spot em) { return turned(mark, glyph.origin + glyph.size * Spot{em.x, -em.y}); };
+        Path path;
+        path.filled = true;
+        path.fill = colour;
+        for (const Segment& segment : glyphs_.outline(glyph.face, glyph.index).segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
+            if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
+            if (const auto* c = std::get_if<CurveTo>(&segment))
+                path.segments.emplace_back(CurveTo{at(c->control_1), at(c->control_2), at(c->to)});
+            if (std::holds_alternative<Close>(segment)) path.segments.emplace_back(Close{});
+        }
+        write(path, layer);
     }
 
     void text_entity(const TextMark& mark, const Words& words, std::string_view layer) {

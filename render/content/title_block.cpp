@@ -135,8 +135,8 @@ void draw_slide_number(std::vector<Mark>& marks, const DrawingContext& context, 
                        std::size_t index, std::size_t count) {
     const ShapedLine number =
         context.fonts.shape(one_piece(std::to_string(index) + " / " + std::to_string(count)), context.theme.small);
-    set_text(marks, number, {format.content.max.x - number.width, format.content.max.y}, context.theme.secondary,
-             "text");
+    set_text(marks, number, {format.content.max.x - number.width, format.content.max.y - number.descent},
+             context.theme.secondary, "text");
 }
 
 }  // namespace

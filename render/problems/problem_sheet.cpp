@@ -132,7 +132,9 @@ protected:
     std::vector<Item> results(std::size_t section) const {
         std::vector<Item> all;
         Block table;
-        const double width = measure();
+        // On a slide the table stands alone, as wide as on a sheet before it is made larger.
+        constexpr double of_sheet = 80;
+        const double width = format_.is_slide ? of_sheet : measure();
         double y = 0;
         const auto rule = [&](double weight) {
             table.marks.emplace_back(line({0, y}, {width, y}, {weight, context_.theme.text, {}, false}));
@@ -399,8 +401,8 @@ private:
     StepText text_of_step(std::size_t s, std::size_t k) const {
         const ProblemSection& section = sections_[s];
         const std::string sentence = say(section.sentences[k]);
-        const double size = format_.text_size * context_.theme.body_text;
-        StepText text{section.question, say(section.heading), {}, sentence_at_, format_.measure, size};
+        const double size = said_smaller_ * format_.text_size * context_.theme.body_text;
+        StepText text{section.question, say(section.heading), {}, said_at_, format_.measure, size};
         for (std::size_t from = 0; from <= sentence.size();) {
             const std::size_t to = std::min(sentence.find('\n', from), sentence.size());
             text.sentences.push_back(formula(sentence.substr(from, to - from)));
@@ -431,6 +433,27 @@ private:
         return marks;
     }
 
+    /// The formulas of sentence k and then the sentence; smaller where they are too high for the slide.
+    void say_on_slide(std::vector<Mark>& marks, const ProblemSection& section, std::size_t k, Spot at) {
+        std::vector<Block> blocks;
+        for (const PieceAfter& piece : section.pieces)
+            if (piece.after == k + 1 || (k == 0 && piece.after == 0))
+                blocks.push_back(fitted(piece_block(piece.item, measure())));
+        blocks.push_back(sentence(section.sentences[k], measure()));
+        double height = 0;
+        for (const Block& block : blocks) height += block.height;
+        said_smaller_ = std::min(1.0, (format_.block.min.y - above_block - at.y) / height);
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            const bool is_sentence = i + 1 == blocks.size();
+            if (is_sentence) said_at_ = at;
+            if (is_sentence) marks.emplace_back(GroupBegin{"sentence", "", "", {}, none});
+            const Block block = scaled(std::move(blocks[i]), said_smaller_);
+            if (!is_sentence || with_sentences_) set(marks, block, at);
+            if (is_sentence) marks.emplace_back(GroupEnd{});
+            at.y += block.height;
+        }
+    }
+
     /// Figures on the left; on the right the sentences of the question up to number k, earlier ones in grey. A slide
     /// has the last sentence alone, with its formulas.
     std::vector<Mark> step(std::size_t s, std::size_t k) {
@@ -456,7 +479,9 @@ private:
         }
         const double left = format_.content.max.x - format_.measure;
         y = corner.y;
-        const Block heading = fitted(heading_block(context_, measure(), say(section.heading)));
+        Block heading = fitted(heading_block(context_, measure(), say(section.heading)));
+        if (const double ink = box_of(heading.marks).max.x; format_.is_slide && ink > format_.measure)
+            heading = scaled(std::move(heading), format_.measure / ink);
         set(marks, heading, {left, y});
         y += heading.height;
         const auto put = [&](Block block, bool is_new) {
@@ -471,12 +496,7 @@ private:
                 if (piece.after == after) put(fitted(piece_block(piece.item, measure())), is_new);
         };
         if (format_.is_slide) {
-            if (k == 0) put_pieces(0, true);
-            put_pieces(k + 1, true);
-            sentence_at_ = {left, y};
-            marks.emplace_back(GroupBegin{"sentence", "", "", {}, none});
-            if (with_sentences_) put(sentence(section.sentences[k], measure()), true);
-            marks.emplace_back(GroupEnd{});
+            say_on_slide(marks, section, k, {left, y});
             return marks;
         }
         put_pieces(0, k == 0);
@@ -490,7 +510,9 @@ private:
     Signature signature_;
     std::size_t before_, after_;  // pages of the same document
     bool with_sentences_;
-    Spot sentence_at_;  // where the sentence of the last slide stands
+    // Of the last slide: where its sentence stands, and how much smaller than usual.
+    Spot said_at_;
+    double said_smaller_ = 1;
 };
 
 }  // namespace

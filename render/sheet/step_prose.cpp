@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 #include "render/equations/prose.hpp"
 #include "render/page/shapes.hpp"
@@ -20,6 +22,14 @@ constexpr std::array sheet_sizes{1.25};
 constexpr std::array slide_sizes{1.45, 1.3, 1.15};
 std::span<const double> type_sizes(const SheetFormat& format) {
     return format.is_slide ? std::span<const double>(slide_sizes) : std::span<const double>(sheet_sizes);
+}
+
+constexpr double below_heading_of_slide = 2;  // mm
+
+/// The block, smaller if its ink is wider than `measure`.
+Block within(Block block, double measure) {
+    const double width = box_of(block.marks).max.x;
+    return width > measure ? scaled(std::move(block), measure / width) : block;
 }
 
 }  // namespace
@@ -83,13 +93,18 @@ std::vector<Block> StepProse::equations_of(StatementIndex index) const {
 
 void StepProse::set(Page& page, const std::string& heading, const std::vector<StepRow>& rows, const std::string& figure,
                     bool with_sentences) const {
-    const Block head = heading_block(in_type_, format_.measure, heading, {});
+    const Block head = within(heading_block(in_type_, format_.measure, heading, {}), format_.measure);
     render::set(page.marks, head, room_.min);
-    double y = room_.min.y + head.height + 0.8;
-    StepText said{figure, heading, {}, {}, format_.measure, theme_.body_text};
+    double y = room_.min.y + head.height + (format_.is_slide ? below_heading_of_slide : 0.8);
+    double height = 0;
+    for (const StepRow& row : rows) height += row.block.height;
+    // What even the smallest type has no room for is made smaller as a whole.
+    const double smaller = format_.is_slide && height > room() ? room() / height : 1;
+    StepText said{figure, heading, {}, {}, format_.measure, theme_.body_text * smaller};
     const auto put = [&](const StepRow& row) {
-        render::set(page.marks, row.block, {room_.min.x, y});
-        y += row.block.height;
+        const Block block = smaller < 1 ? scaled(row.block, smaller) : row.block;
+        render::set(page.marks, block, {room_.min.x, y});
+        y += block.height;
     };
     if (!format_.is_slide) {
         for (const StepRow& row : rows) put(row);
