@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import net from 'node:net';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, beforeEach, test} from 'node:test';
@@ -318,6 +319,43 @@ test('a link opens what it holds; a hostile one is said and does no harm', async
         assert.equal(await run('({}).a'), undefined);
     }
     assert.deepEqual(messages, []);
+});
+
+test('it serves its page and its parts alone, to this machine alone, and takes requests of bounded size', async () => {
+    writeFileSync(path, exampleText('four_bar.json'));
+    writeFileSync(join(folder, 'secret.json'), '{}');
+    const {port, pathname} = new URL(address), host = `Host: 127.0.0.1:${port}\r\n`;
+    const ask = (bytes) => new Promise((resolve) => {
+        const socket = net.connect(Number(port), '127.0.0.1', () => socket.write(bytes));
+        let heard = '';
+        socket.on('data', (data) => (heard += data));
+        socket.on('error', () => resolve(heard));
+        socket.on('close', () => resolve(heard));
+    });
+    const post = (target, body, more = '') => `POST ${target} HTTP/1.1\r\n${host}${more}Content-Length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
+    const cases = [
+        [`GET ${pathname} HTTP/1.1\r\n${host}\r\n`, 200], [`GET ${pathname}main.js HTTP/1.1\r\n${host}\r\n`, 200],
+        [`GET ${pathname}examples/four_bar.json HTTP/1.1\r\n${host}\r\n`, 200], [`GET / HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}secret.json HTTP/1.1\r\n${host}\r\n`, 404], [`GET ${pathname}../secret.json HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}examples/../main.js HTTP/1.1\r\n${host}\r\n`, 404], [`GET ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 405],
+        [post(`${pathname}main.js`, '{}'), 405], [post('/answer', '{}'), 404],
+        [post(`${pathname}answer`, '{}', 'Origin: https://evil.example\r\n'), 403],
+        [post(`${pathname}save`, '{"text": "x", "base": null}', 'Origin: https://evil.example\r\n'), 403],
+        [post(`${pathname}answer`, '{}').replace(/127.0.0.1/, 'evil.example'), 403],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 411], [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 99999999\r\n\r\n`, 413],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: -1\r\n\r\n`, 400], [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 1x\r\n\r\n`, 400],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}Transfer-Encoding: chunked\r\n\r\n0\r\n\r\n`, 411],
+        [post(`${pathname}answer`, '{}'), 200], [post(`${pathname}answer`, '['.repeat(200000)), 200], [post(`${pathname}answer`, '"'), 200],
+        [post(`${pathname}save`, '{"text": 1}'), 400], [post(`${pathname}save`, '{"text": "x", "base": "other"}'), 409],
+    ];
+    for (const [bytes, status] of cases) assert.match(await ask(bytes), new RegExp(`^HTTP/1.1 ${status} `), bytes.slice(0, 120));
+    assert.equal(readFileSync(path, 'utf8'), exampleText('four_bar.json'));
+    // One that gives up its question keeps nobody waiting.
+    const long = post(`${pathname}answer`, JSON.stringify({text: exampleText('exam_2001.json'), name: 'x', want: ['live', 'sheet']}));
+    for (let i = 0; i < 20; ++i) net.connect(Number(port), '127.0.0.1', function send() {
+        this.write(long, () => this.destroy());
+    });
+    assert.match(await ask(post(`${pathname}answer`, '{"text": "", "want": ["words"]}')), /"untitled"/);
 });
 
 test('the modes show the solution: the live page in its tabs, the sheet as the program draws it', async () => {

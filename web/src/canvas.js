@@ -1,4 +1,5 @@
 // Draws the mechanism while it is built: what the file says, where the engine places it.
+import {drawDrivers, drawLoads, drawMasses, gap} from './canvas_loads.js';
 import {svg} from './dom.js';
 import {Model} from './model.js';
 import {distance} from './placing.js';
@@ -37,9 +38,9 @@ export class Canvas {
         this.drawBodies();
         this.drawJoints();
         this.drawPoints();
-        this.drawDrivers();
-        this.drawMasses();
-        this.drawLoads();
+        drawDrivers(this, scene);
+        drawMasses(this, scene);
+        drawLoads(this, scene);
     }
     /**
      * @param {string} point
@@ -171,6 +172,8 @@ export class Canvas {
                 taken.push(Math.atan2(y - at[1], x - at[0]));
             }
         }
+        for (const {form} of model.drivers)
+            if (model.isGround(point) && model.pointsOf(String(form.body)).includes(point)) taken.push(...taken.map((each) => each - 1), ...taken.map((each) => each + 1));
         if (model.isGround(point)) taken.push(Math.PI / 2 - 0.4, Math.PI / 2, Math.PI / 2 + 0.4);
         for (const joint of model.joints)
             if (joint.point === point && joint.kind === 'prismatic') taken.push(Math.PI / 2, 0, Math.PI);
@@ -186,89 +189,6 @@ export class Canvas {
         const room = (/** @type {number} */ way) => Math.min(2, ...taken.map((each) => gap(way, each)));
         return ways.reduce((best, each) => (room(each) > room(best) + 0.1 ? each : best), ways[0]);
     }
-    drawDrivers() {
-        const {model} = /** @type {Scene} */ (this.scene);
-        for (const {form, pointer} of model.drivers) {
-            const rate = parseFloat(form.omega ?? form.speed ?? form.law?.turn ?? 1) || 1, body = String(form.body ?? '');
-            if (form.joint !== undefined) {
-                const joint = model.joints.find((each) => each.name === String(form.joint)), at = this.spot(joint?.point ?? '');
-                if (joint && at) this.push(pointer, at, this.turned(joint.pointer, joint.form.along) + (rate < 0 ? Math.PI : 0));
-                continue;
-            }
-            const pivot = model.pointsOf(body).find((each) => model.isGround(each)) ?? model.pointsOf(body)[0], at = this.spot(form.at ?? pivot ?? '');
-            const tip = this.spot(model.pointsOf(body).find((each) => each !== pivot) ?? '');
-            const beside = at && tip ? Math.atan2(tip[1] - at[1], tip[0] - at[0]) : -1;
-            if (at) this.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0, beside));
-        }
-    }
-    /**
-     * @param {string} pointer
-     * @param {Spot} at
-     * @param {number} turned
-     */
-    push(pointer, [x, y], turned) {
-        const from = /** @type {Spot} */ ([x - 22 * Math.sin(-turned), y - 22 * Math.cos(turned)]);
-        this.add('loads', pointer, 'drive', symbols.arrow(from, [from[0] + 46 * Math.cos(turned), from[1] + 46 * Math.sin(turned)], 'driver'));
-    }
-    drawMasses() {
-        const {model} = /** @type {Scene} */ (this.scene);
-        for (const {body, form} of model.masses) {
-            const at = this.spot(form.centre ?? '');
-            if (at) this.add('loads', Model.pointer(['masses', body]), this.look(body), symbols.weight(at));
-        }
-    }
-    drawLoads() {
-        const {model} = /** @type {Scene} */ (this.scene);
-        for (const {form, pointer} of model.loads) {
-            const between = Array.isArray(form.between) ? form.between.map((/** @type {string} */ each) => this.spot(each)) : [];
-            if (between.length === 2 && between[0] && between[1]) {
-                this.add('under', pointer, 'load', symbols.spring(between[0], between[1]));
-                continue;
-            }
-            const pin = model.joints.find((each) => each.name === String(form.pin)), at = this.spot(form.at ?? pin?.point ?? '');
-            if (at && form.force !== undefined) this.drawForce(form, pointer, at);
-            else if (form.couple !== undefined) this.drawCouple(form, pointer);
-            else if (form.distributed !== undefined) this.drawDistributed(form, pointer);
-        }
-    }
-    /**
-     * @param {any} form
-     * @param {string} pointer
-     * @param {Spot} at
-     */
-    drawForce(form, pointer, at) {
-        const turned = this.turned(pointer, form.along), length = 62, sign = parseFloat(form.magnitude) < 0 ? -1 : 1;
-        const point = form.at ?? form.pin ?? '', taken = this.waysTaken(String(point), at), heads = turned + (sign < 0 ? Math.PI : 0);
-        const room = (/** @type {number} */ way) => Math.min(3, ...taken.map((each) => gap(way, each)));
-        // The arrow ends at the point, or begins there where bars are in the way.
-        const isPull = room(heads + Math.PI) < 0.4 && room(heads) > 0.4;
-        const along = (/** @type {number} */ away) => /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
-        const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)], end = isPull ? along(length + 6) : along(-length - 6);
-        this.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load'));
-    }
-    /**
-     * @param {any} form
-     * @param {string} pointer
-     */
-    drawCouple(form, pointer) {
-        const {model} = /** @type {Scene} */ (this.scene), at = this.spot(model.pointsOf(String(form.body))[0] ?? '');
-        if (at) this.add('loads', pointer, 'load', symbols.spin([at[0], at[1] - 4], !(parseFloat(form.value) < 0)));
-    }
-    /**
-     * @param {any} form
-     * @param {string} pointer
-     */
-    drawDistributed(form, pointer) {
-        const from = this.spot(form.from ?? ''), to = this.spot(form.to ?? ''), turned = this.turned(pointer, form.along);
-        if (!from || !to) return;
-        const back = (/** @type {Spot} */ at) => /** @type {Spot} */ ([at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)]);
-        const marks = [0, 0.25, 0.5, 0.75, 1].map((t) => {
-            const at = /** @type {Spot} */ ([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
-            return symbols.arrow(back(at), at, 'force');
-        });
-        const [a, b] = [back(from), back(to)];
-        this.add('loads', pointer, 'load', svg('path', {class: 'edge', d: `M${a}L${b}`}), ...marks);
-    }
     /**
      * What a tool shows while it is used.
      * @param {...Element} marks
@@ -278,15 +198,6 @@ export class Canvas {
     }
 }
 
-/**
- * The angle between two directions.
- * @param {number} a
- * @param {number} b
- */
-function gap(a, b) {
-    const turned = Math.abs(a - b) % (2 * Math.PI);
-    return Math.min(turned, 2 * Math.PI - turned);
-}
 /** @param {Spot[]} at */
 function isStraight(at) {
     const [a, b] = ends(at), length = distance(a, b) || 1;

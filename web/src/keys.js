@@ -40,7 +40,11 @@ export class Keys {
         this.bench = bench;
         this.canvas = canvas;
         this.commands = commands;
-        document.addEventListener('keydown', (event) => this.onKey(event));
+        document.addEventListener('keydown', (event) => {
+            document.documentElement.dataset.input = 'keys';
+            this.onKey(event);
+        });
+        document.addEventListener('pointerdown', () => (document.documentElement.dataset.input = 'pointer'), true);
         canvas.addEventListener('keydown', (event) => this.onCanvasKey(event));
     }
     /** @param {KeyboardEvent} event */

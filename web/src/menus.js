@@ -13,6 +13,8 @@ export class Menus {
         };
         more.addEventListener('click', () => show(menu.hidden));
         menu.addEventListener('click', () => show(false));
+        // On a phone the buttons of the bar stand in the menu.
+        for (const each of menu.querySelectorAll('[data-press]')) each.addEventListener('click', () => byId(each.dataset.press).click());
         document.addEventListener('pointerdown', (event) => {
             if (event.target instanceof Node && !menu.contains(event.target) && !more.contains(event.target)) show(false);
         });

@@ -13,7 +13,8 @@ import * as symbols from './symbols.js';
  */
 export function preview(bench) {
     const {tool, cursor, view} = bench;
-    if (!tool || !cursor) return [];
+    const byKeys = document.documentElement.dataset.input === 'keys';
+    if (!tool || !cursor || (tool instanceof SelectTool && !byKeys)) return [];
     const at = view.toScreen(cursor.at), marks = [];
     const isCross = tool instanceof SelectTool;
     const from = isCross ? null : tool.from(), start = from && view.toScreen(from);
