@@ -76,7 +76,8 @@ std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
 /// Codes of characters ("U+4E2D"), each once.
 std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
     const auto size_and_digits = [](const std::string& code) { return std::pair(code.size(), std::string_view(code)); };
-    std::ranges::sort(codes, {}, size_and_digits);
+    std::sort(codes.begin(), codes.end(),
+              [&](const std::string& a, const std::string& b) { return size_and_digits(a) < size_and_digits(b); });
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     return codes;
 }
