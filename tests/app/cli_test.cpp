@@ -52,7 +52,7 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
          "kinegraph: -o a.bmp: .*\\.svg, \\.png, \\.pdf, \\.tex, .*\\.json, \\.html, .* or \\.ggb.*"},
         {"solve four_bar.json -o a",
          "kinegraph: -o a: .*\\.svg, \\.png, \\.pdf, \\.tex, .*\\.json, \\.html, .* or \\.ggb.*"},
-        {"solve four_bar.json -o a.svg -o b.gif", "kinegraph: -o b.gif: .*"},
+        {"solve four_bar.json -o a.svg -o b.bmp", "kinegraph: -o b.bmp: .*"},
         {"solve four_bar.json -o -", "kinegraph: -o - needs --format.*"},
         {"solve four_bar.json -o - -o - --format json", "kinegraph: standard output can carry one output only"},
         {"solve four_bar.json -o a.svg -o a.svg", "kinegraph: -o a.svg is given twice"},

@@ -277,7 +277,8 @@ TEST_F(Documents, NameTheOptionsThatThereAre) {
     for (const std::string& command : commands())
         for (const std::string& each : options_in(run(command + " --help").out)) known.insert(each);
     std::string text;
-    for (const char* name : {"command_line.md", "variants.md", "batch.md", "live_page.md", "equations.md", "themes.md"})
+    for (const char* name : {"command_line.md", "variants.md", "batch.md", "live_page.md", "equations.md", "themes.md",
+                             "slides.md", "exchange.md", "workbench.md"})
         text += document(name);
     for (const std::string& each : known) EXPECT_TRUE(options_in(text).contains(each)) << each << " is in no document";
     for (const std::string& each : options_in(text))

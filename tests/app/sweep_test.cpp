@@ -273,7 +273,7 @@ TEST_F(Sweep, SaysItInItalianToo) {
     says("sweep four_bar.json --plot x", 2, R"(four_bar\.json: --plot: non c’è la grandezza "x".*)");
     says("sweep four_bar.json --from 20mm", 2, R"(four_bar\.json: --from "20mm" è una lunghezza; qui serve un angolo)");
     says("sweep four_bar.json -o out.txt", 2,
-         R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png, \.pdf o \.tex .*)");
+         R"(kinegraph: -o out\.txt: .* può essere \.svg, \.png, \.pdf, \.tex, \.dxf, \.csv, \.json, .*)");
     says("sweep four_bar.json --steps 4", 0,
          R"(four_bar\.json: massimo scarto dalla verifica numerica: [0-9],[0-9]e-[0-9]+ della .*)");
 }

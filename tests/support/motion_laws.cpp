@@ -99,6 +99,8 @@ private:
             ASSERT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << name_of(row.quantity, solution_);
             double scale = std::max(std::abs(row.numeric), largest[kind_of(row.quantity)]);
             if (kind_of(row.quantity) == Kind::centre) scale = reach_of_centre(row);
+            // A component that is zero in every equilibrium is one of forces.
+            if (kind_of(row.quantity) == Kind::force_component) scale = std::max(scale, largest[Kind::force]);
             EXPECT_LE(std::abs(row.difference), tolerance * scale)
                 << name_of(row.quantity, solution_) << ": " << row.graphical << ", numeric " << row.numeric;
         }
