@@ -231,9 +231,8 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.title = title_of(context.solution, context.language);
     page.language = code_of(context.language);
     const Pen pen{theme.outline, theme.text, {}, false};
-    if (format.is_slide)
-        draw_slide_number(page.marks, context, format, index, count);
-    else
+    if (format.is_slide && count > 1) draw_slide_number(page.marks, context, format, index, count);
+    if (!format.is_slide)
         page.marks.emplace_back(polyline({format.inner.min,
                                           {format.inner.max.x, format.inner.min.y},
                                           format.inner.max,

@@ -75,7 +75,7 @@ private:
         figure.move(origin_.x - figure.origin.x, origin_.y - figure.origin.y);
         std::move(figure.marks.begin(), figure.marks.end(), std::back_inserter(marks));
         add_plots(marks, context, frames_[i].at);
-        return framed_page(context, format_, {}, std::move(marks), std::nullopt, i + 1, frames_.size());
+        return framed_page(context, format_, {}, std::move(marks), std::nullopt, 1, 1);
     }
 
     Path path_of(const Way& way) const {

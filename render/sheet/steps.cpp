@@ -310,6 +310,11 @@ private:
             figure = draw(*id, beside_context_, rooms_.small.width(), rooms_.small.height());
         else if (solution_.mechanism.bodies.size() >= 3)
             figure = circle_diagram(context_, rooms_.small.width(), rooms_.small.height());
+        // Beside the figure of a slide there is room for less: what is larger is left out.
+        constexpr double nearly = 1;  // mm
+        if (format_.is_slide && (figure.box.width() > rooms_.small.width() + nearly ||
+                                 figure.box.height() > rooms_.small.height() + nearly))
+            figure = Figure();
         figure.move(rooms_.small.min.x - figure.box.min.x + 0.5 * (rooms_.small.width() - figure.box.width()),
                     rooms_.small.min.y - figure.box.min.y);
         return figure;
