@@ -60,7 +60,7 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve four_bar.json -o four_bar.json",
          "kinegraph: -o four_bar.json would overwrite the mechanism file itself"},
         {"solve four_bar.json -o ./four_bar.json", "kinegraph: .*would overwrite the mechanism file itself"},
-        {"solve four_bar.json -o a.png --format gif", "kinegraph: --format.*"},
+        {"solve four_bar.json -o a.png --format bmp", "kinegraph: --format.*"},
         {"solve four_bar.json -o a.svg --lang nl", "kinegraph: --lang.*"},
         {"solve four_bar.json -o a.svg --paper A5", "kinegraph: --paper.*"},
         {"solve four_bar.json -o a.svg --orientation askew", "kinegraph: --orientation.*"},
