@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
@@ -192,11 +193,12 @@ private:
 
     /// A section of the equations with its heading.
     Passage equations(const std::vector<std::size_t>& which) const {
-        const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
-        const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
-        const std::string& words = first->words;
+        const std::size_t first = which.front(), end = which.back();
+        const std::string& words = equations_[first].words;
         Passage passage{heading_block(context_, measure_, words), continued(words), {}};
-        passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, made_.natural));
+        passage.take_rows(equation_blocks(context_,
+                                          std::span<const EquationItem>(equations_).subspan(first + 1, end - first - 1),
+                                          measure_, made_.natural));
         return passage;
     }
 
