@@ -62,17 +62,15 @@ export class Canvas {
         const group = svg('g', {class: states.filter(Boolean).join(' '), 'data-of': pointer}, ...marks);
         this.layers[layer].append(group);
     }
+    /** A dot at each node, as a pattern: a path of all dots would be drawn anew in every frame. */
     drawGrid() {
-        const {view} = this, step = view.grid, [x0, y0] = view.toPlane([0, view.height]), [x1, y1] = view.toPlane([view.width, 0]);
-        let d = '';
-        for (let x = Math.ceil(x0 / step); x * step <= x1; ++x)
-            for (let y = Math.ceil(y0 / step); y * step <= y1; ++y) {
-                const [u, v] = view.toScreen([x * step, y * step]);
-                d += `M${u.toFixed(1)} ${v.toFixed(1)}h.01`;
-            }
-        this.layers.grid.append(svg('path', {class: 'dots', d}));
-        const origin = view.toScreen([0, 0]);
-        this.layers.grid.append(svg('path', {class: 'axes', d: `M${origin[0] - 7} ${origin[1]}h14M${origin[0]} ${origin[1] - 7}v14`}));
+        const {view} = this, size = view.grid * view.scale, [x, y] = view.toScreen([0, 0]);
+        const pattern = svg('pattern', {id: 'grid-dots', patternUnits: 'userSpaceOnUse', x: x - size / 2, y: y - size / 2, width: size, height: size},
+            svg('circle', {class: 'dots', cx: size / 2, cy: size / 2, r: 1}));
+        const ground = svg('rect', {width: view.width, height: view.height});
+        ground.style.fill = 'url(#grid-dots)';
+        ground.style.stroke = 'none';
+        this.layers.grid.append(pattern, ground, svg('path', {class: 'axes', d: `M${x - 7} ${y}h14M${x} ${y - 7}v14`}));
     }
     /**
      * The look of a body: its colour, as in the figures.
