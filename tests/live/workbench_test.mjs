@@ -379,6 +379,44 @@ test('the modes show the solution: the live page in its tabs, the sheet as the p
     assert.deepEqual(messages, []);
 });
 
+test('an example is chosen by its picture; what is shown is taken away as SVG, PNG, TikZ, HTML and JSON', async () => {
+    await begin();
+    await page.locator('#examples').click();
+    await page.locator('#gallery-search').fill('whitworth');
+    const card = page.locator('.card:visible');
+    assert.equal(await card.count(), 1);
+    await card.locator('img').waitFor();
+    await card.click();
+    await settled();
+    assert.equal(await text(), exampleText('whitworth.json'));
+    const taken = async (kind) => {
+        await page.locator('#more').click();
+        const [file_] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-take=${kind}]`).click()]);
+        return {name: file_.suggestedFilename(), bytes: readFileSync(await file_.path())};
+    };
+    const told = (format) => execFileSync(program, ['solve', join(examples, 'whitworth.json'), '-o', '-', '--format', format], {encoding: 'utf8', maxBuffer: 1e8});
+    for (const [kind, format] of [['svg', 'svg'], ['tex', 'tex'], ['html', 'html'], ['results', 'json']]) {
+        const {name, bytes} = await taken(kind);
+        assert.match(name, /^whitworth/);
+        assert.equal(String(bytes), told(format), kind);
+    }
+    assert.equal(String((await taken('json')).bytes), exampleText('whitworth.json'));
+    const png = (await taken('png')).bytes;
+    assert.equal(png.subarray(1, 4).toString(), 'PNG');
+    assert.ok(png.readUInt32BE(16) > 2000);
+    assert.deepEqual(messages, []);
+});
+
+test('the page speaks the language that is asked for', async (t) => {
+    const french = await serve(program, join(folder, 'autre.json'), '--lang', 'fr');
+    t.after(() => french.process.kill('SIGTERM'));
+    await open(french.address);
+    await ready();
+    assert.equal(await page.locator('#go-build').textContent(), 'Construire');
+    const seen = await run('document.body.innerText + [...document.querySelectorAll("[aria-label]")].map((each) => each.getAttribute("aria-label")).join(" ")');
+    assert.doesNotMatch(seen, /\\~|\{\d\}|[a-z]_[a-z]/);
+});
+
 test('axe finds nothing, in light and dark, wide and on a phone, in each panel', async () => {
     writeFileSync(path, exampleText('four_bar_weights.json'));
     for (const size of [{width: 1366, height: 768}, {width: 390, height: 844, dark: true}]) {
