@@ -17,6 +17,7 @@
 #include "engine/number/functions.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
 
@@ -38,16 +39,21 @@ class Planned {
 public:
     Planned(const Solution& solution, const std::vector<Column>& columns) : solution_(solution), columns_(columns) {}
 
-    MovingPlan plan(const MovingRules& rules) {
+    /// `has_figures`: whether figures of this record are shown, not only marks that are bound by name. `given`: the
+    /// mechanism whose values the plan has; null: that of the solution.
+    MovingPlan plan(const MovingRules& rules, bool has_figures = true, const Mechanism* given = nullptr) {
         read_sources();
-        read_vectors();
-        read_spots();
-        read_lines();
+        if (has_figures) {
+            read_vectors();
+            read_spots();
+            read_lines();
+        }
         plan_.held = bindings_of(solution_);
         const Protocol& protocol = solution_.protocol;
         Cut record = cut(protocol.program, wanted(), static_cast<int>(protocol.program.strokes.size()));
         renumber(record.element);
-        for (const Value& value : givens_of(record.program, solution_.mechanism, solution_.pose))
+        for (const Value& value :
+             givens_of(record.program, given != nullptr ? *given : solution_.mechanism, solution_.pose))
             plan_.givens.push_back(to_double(value));
         for (std::size_t i = 0; i < record.program.givens.size(); ++i)
             if (const auto rule = rules.of(record.program.givens[i], static_cast<int>(i)))
@@ -125,8 +131,13 @@ private:
 
 class Courses {
 public:
-    explicit Courses(const Solution& solution)
-        : solution_(solution), mechanism_(solution.mechanism), pose_(solution.pose), rules_(mechanism_, pose_) {}
+    /// `is_displaced`: a solution of virtual displacements. Its rates are no speeds, and none of its polygons is shown.
+    explicit Courses(const Solution& solution, bool is_displaced = false)
+        : solution_(solution),
+          mechanism_(solution.mechanism),
+          pose_(solution.pose),
+          rules_(mechanism_, pose_),
+          is_displaced_(is_displaced) {}
 
     std::optional<Moving> moving(const Rereading& rereading) {
         add_columns();
@@ -136,7 +147,8 @@ public:
         if (moving_.courses.empty()) return std::nullopt;
         moving_.size = pose_.size.to_double();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
-        moving_.settings = rules_.settings();
+        moving_.settings = is_displaced_ ? std::vector<MovingSetting>{} : rules_.settings();
+        if (is_displaced_) return std::move(moving_);
         for (MovingSetting& each : moving_.settings) {
             const bool is_speed = each.kind == MovingSetting::Kind::velocity;
             if (!is_speed && each.kind != MovingSetting::Kind::acceleration) continue;
@@ -151,6 +163,7 @@ public:
     Moving standing() {
         add_columns();
         add_plan(solution_);
+        add_plans_of_directions();
         moving_.size = pose_.size.to_double();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
         moving_.settings = rules_.settings();
@@ -162,11 +175,73 @@ public:
 private:
     /// Those of a sweep. What a sweep gives on request only would double the page.
     void add_columns() {
+        if (is_displaced_) return;
         for (Column& column : columns_found(solution_))
             if (!result_kind(column.quantity).on_request) moving_.columns.push_back(std::move(column));
     }
     void add_plan(const Solution& solution) {
-        moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_));
+        moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_, !is_displaced_));
+    }
+
+    /// How a load of a structure differs from the one in the file.
+    struct Change {
+        int quarters = 0;  ///< exact quarter turns: lines that are parallel stay so
+        double more = 0;   ///< rad, after these
+        double size = 1;   ///< a factor
+    };
+    /// Plans for a structure whose loads are turned and have other sizes: each alone, then all together.
+    void add_plans_of_directions() {
+        constexpr int directions = 24;
+        // Off the multiples of a degree, where two lines are parallel by chance.
+        constexpr double beside = 0.0137, step = 6.283185307179586 / directions;
+        const std::vector<MovingSetting>& settings = rules_.settings();
+        for (const double size : {1.0, 2.5, 0.4})
+            for (const MovingSetting& alone : settings) {
+                if (!alone.direction) continue;
+                const auto with = [&](Change change) {
+                    add_plan_with([&](const MovingSetting& each) { return &each == &alone ? change : Change{}; });
+                };
+                for (int quarter = 0; quarter < 4; ++quarter) with({quarter, 0, size});
+                for (int k = 0; k < directions; ++k) with({0, k * step + beside, size});
+            }
+        for (int k = 0; settings.size() > 1 && k < directions; ++k)
+            add_plan_with([&](const MovingSetting& each) {
+                const auto index = static_cast<double>(&each - settings.data());
+                return Change{0, (k + 0.4 * index) * step + beside, 1};
+            });
+    }
+    /// None is added where one that is there holds.
+    template <class ChangeOf>
+    void add_plan_with(ChangeOf change_of) {
+        if (moving_.plans.size() >= most_plans) return;
+        Mechanism changed = mechanism_;
+        for (const MovingSetting& each : rules_.settings())
+            if (each.direction) change(changed, each, change_of(each));
+        for (const MovingPlan& plan : moving_.plans)
+            if (replays(plan, changed, pose_)) return;
+        const auto solution = solve(changed);
+        if (!solution) return;
+        MovingPlan plan = Planned(*solution, moving_.columns).plan(rules_, true, &mechanism_);
+        if (replays(plan, changed, pose_)) moving_.plans.push_back(std::move(plan));
+    }
+    void change(Mechanism& mechanism, const MovingSetting& setting, const Change& by) const {
+        const Exact size = Exact::from_double(by.size);
+        const Vector more{Exact::from_double(std::cos(by.more)), Exact::from_double(std::sin(by.more))};
+        const auto turned = [&](Vector vector) {
+            for (int i = 0; i < by.quarters; ++i) vector = quarter_turn(vector);
+            return by.more == 0 ? vector : faced(more, vector);
+        };
+        if (setting.kind == MovingSetting::Kind::point_velocity) {
+            Vector& velocity = std::get<Vector>(mechanism.motion->velocities[at_index(setting.of)].value);
+            velocity = size * turned(velocity);
+            return;
+        }
+        auto& force = std::get<ForceLoad>(mechanism.loads[at_index(setting.of)]);
+        if (force.value) force.value = size * turned(*force.value);
+        if (!force.magnitude) return;
+        auto& [magnitude, along] = *force.magnitude;
+        magnitude = size * magnitude;
+        along = Bearing{turned(kinegraph::direction_of(along, pose_))};
     }
 
     double direction_of(const Body& body) const {
@@ -293,7 +368,7 @@ private:
         }
         const Solution solution =
             solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
-        MovingPlan plan = Planned(solution, moving_.columns).plan(rules_);
+        MovingPlan plan = Planned(solution, moving_.columns).plan(rules_, !is_displaced_);
         if (moving_.plans.size() < most_plans && replays(plan, solution.mechanism, solution.pose)) {
             last_ = moving_.plans.size();
             sample.plan = static_cast<int>(last_);
@@ -337,6 +412,7 @@ private:
     const Pose& pose_;
     std::optional<Mover> mover_;  ///< of what moves
     MovingRules rules_;
+    bool is_displaced_;
     Moving moving_;
     std::size_t last_ = 0;
 };
@@ -355,10 +431,12 @@ std::optional<Moving> moving_of(const Solution& solution, const Rereading& rerea
 
 std::optional<Moving> standing_of(const Solution& solution) {
     const Mechanism& mechanism = solution.mechanism;
-    if (stands_for_joints(mechanism) || !mechanism.drivers.empty() || (solution.free_bodies.empty() && !solution.truss))
-        return std::nullopt;
-    if (!mechanism.cam_file.empty() || is_beyond_moving(mechanism)) return std::nullopt;
-    return Courses(solution).standing();
+    if (stands_for_joints(mechanism) || !mechanism.drivers.empty() || is_beyond_moving(mechanism)) return std::nullopt;
+    if (!mechanism.cam_file.empty()) return std::nullopt;
+    if (!solution.free_bodies.empty() || solution.truss || solution.instantaneous_motion)
+        return Courses(solution).standing();
+    if (!solution.displacements || solution.displacements->freedoms.empty()) return std::nullopt;
+    return Courses(*solution.displacements->freedoms.front().moved, true).moving({});
 }
 
 }  // namespace kinegraph

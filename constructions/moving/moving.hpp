@@ -16,8 +16,9 @@ bool is_beyond_moving(const Mechanism& mechanism);
 /// valid, up to `most_plans`; positions beyond that have no plan. Without `rereading`, which reads the file of the
 /// solution again, no parameter can be changed.
 std::optional<Moving> moving_of(const Solution& solution, const Rereading& rereading = {});
-/// Of a structure that nothing drives: its record in the drawn position, the only one, in which the sizes of its loads
-/// can be changed. None without forces or joints, and with a driver.
+/// Of what no driver of the file moves: a structure in its only position, with loads that can be changed and turned; an
+/// instantaneous motion with its velocities; a mechanism of which virtual displacements are sought, along its
+/// coordinates. None else.
 std::optional<Moving> standing_of(const Solution& solution);
 
 }  // namespace kinegraph

@@ -21,7 +21,9 @@ std::optional<MovingGiven> along(MovingGiven rule, const Bearing& bearing) {
     rule.ends = {ends->from, ends->to};
     return with(rule, Rule::between);
 }
-std::vector<MovingSetting> settings_of(const Mechanism& mechanism) {
+double direction_of(const Vector& vector) { return std::atan2(vector.y.to_double(), vector.x.to_double()); }
+
+std::vector<MovingSetting> settings_of(const Mechanism& mechanism, const Pose& pose) {
     using Kind = MovingSetting::Kind;
     std::vector<MovingSetting> all;
     const auto add = [&](MovingSetting each) {
@@ -44,11 +46,24 @@ std::vector<MovingSetting> settings_of(const Mechanism& mechanism) {
         if (const auto* couple = std::get_if<CoupleLoad>(&mechanism.loads[i]))
             add({Kind::load, of, couple->name, QuantityKind::moment, couple->value.to_double()});
         const auto* force = std::get_if<ForceLoad>(&mechanism.loads[i]);
-        if (force != nullptr && force->value)
-            add({Kind::load, of, force->name, QuantityKind::force,
-                 nearest::hypot(force->value->x.to_double(), force->value->y.to_double())});
-        if (force != nullptr && force->magnitude)
-            add({Kind::load, of, force->name, QuantityKind::force, force->magnitude->first.to_double()});
+        if (force == nullptr) continue;
+        MovingSetting size{Kind::load, of, force->name, QuantityKind::force,
+                           force->value ? length(*force->value) : force->magnitude->first.to_double()};
+        // On a mechanism that moves the sense of a load in the file may depend on the position.
+        if (mechanism.drivers.empty())
+            size.direction =
+                direction_of(force->value ? *force->value : kinegraph::direction_of(force->magnitude->second, pose));
+        add(std::move(size));
+    }
+    if (!mechanism.motion) return all;
+    const auto& given = mechanism.motion->velocities;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto* velocity = std::get_if<Vector>(&given[i].value);
+        if (velocity == nullptr) continue;
+        MovingSetting size{Kind::point_velocity, static_cast<int>(i), "v " + mechanism.point(given[i].point).name,
+                           QuantityKind::velocity, length(*velocity)};
+        size.direction = direction_of(*velocity);
+        add(std::move(size));
     }
     return all;
 }
@@ -61,7 +76,7 @@ std::string name_of_course(const Mechanism& mechanism, const Driver& driver) {
 }
 
 MovingRules::MovingRules(const Mechanism& mechanism, const Pose& pose)
-    : mechanism_(mechanism), pose_(pose), settings_(settings_of(mechanism)) {}
+    : mechanism_(mechanism), pose_(pose), settings_(settings_of(mechanism, pose)) {}
 
 std::optional<MovingGiven> MovingRules::of(const Given& given, int index) const {
     MovingGiven rule;
@@ -80,6 +95,7 @@ std::optional<MovingGiven> MovingRules::of(const Given& given, int index) const 
         case Given::Kind::effort_unit:
             return along(rule, std::get<ForceEffort>(mechanism_.efforts[at_index(given.index)]).along);
         case Given::Kind::load_force: return setting(rule, MovingSetting::Kind::load);
+        case Given::Kind::act_velocity: return setting(rule, MovingSetting::Kind::point_velocity);
         case Given::Kind::load_unit:
         case Given::Kind::load_unit_back:
         case Given::Kind::load_magnitude: return of_load(rule, given.kind, mechanism_.loads[at_index(given.index)]);
@@ -114,7 +130,9 @@ std::optional<MovingGiven> MovingRules::of_load(MovingGiven rule, Given::Kind ki
     }
     const auto* force = std::get_if<ForceLoad>(&load);
     if (kind == Given::Kind::load_magnitude) return setting(rule, MovingSetting::Kind::load);
-    if (force == nullptr || !force->magnitude || kind == Given::Kind::load_magnitude) return std::nullopt;
+    if (force == nullptr || !force->magnitude) return std::nullopt;
+    const auto size = setting(rule, MovingSetting::Kind::load);
+    if (size && settings_[static_cast<std::size_t>(size->index)].direction) return with(*size, Rule::turned);
     return along(rule, force->magnitude->second);
 }
 

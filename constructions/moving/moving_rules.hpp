@@ -21,7 +21,7 @@ public:
     /// Keeps references to both.
     MovingRules(const Mechanism& mechanism, const Pose& pose);
 
-    /// Rates of drivers without a law and sizes of loads, except those that are zero.
+    /// Rates of drivers without a law, sizes of loads, velocities of a given instantaneous motion; no zeros.
     const std::vector<MovingSetting>& settings() const { return settings_; }
     /// The rule of a given with this index; none if it is the same in every position.
     std::optional<MovingGiven> of(const Given& given, int index) const;

@@ -1,5 +1,8 @@
 #include "engine/solution/bindings.hpp"
 
+#include <array>
+#include <charconv>
+
 namespace kinegraph {
 namespace {
 
@@ -7,6 +10,10 @@ std::string number_of(int index) { return std::to_string(index); }
 template <class Index>
 std::string number_of(Index index) {
     return index == none ? "" : std::to_string(index.number());
+}
+std::string written(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 std::string under(const std::string& load) { return load.empty() ? "" : load + "|"; }
 std::string name_of(const FreeBody& body) {
@@ -42,6 +49,27 @@ std::string work_binding(const VirtualWork::Entry& entry) {
     return "W" + number_of(entry.body) + "." + kinegraph::name_of(entry.symbol);
 }
 std::string point_binding(PointIndex point) { return "p" + number_of(point); }
+std::string place_binding(BodyIndex body, const Vector& drawn) {
+    return "b" + number_of(body) + " " + written(drawn.x.to_double()) + " " + written(drawn.y.to_double());
+}
+std::string tip_binding(const std::string& place, const std::string& vector, double scale) {
+    return place + ">" + vector + ">" + written(scale);
+}
+std::string displaced_binding(PointIndex point, std::size_t freedom, double scale) {
+    return "d" + number_of(point) + " " + std::to_string(freedom) + " " + written(scale);
+}
+std::string tangent_binding(JointIndex joint) { return "t" + number_of(joint); }
+std::string guide_binding(JointIndex joint) { return "g" + number_of(joint); }
+std::string relative_binding(std::size_t index, const std::string& what) {
+    return "Q" + std::to_string(index) + "." + what;
+}
+std::string velocity_binding(PointIndex point) { return "U" + number_of(point); }
+std::string instantaneous_binding(const std::string& what) { return "U" + what; }
+std::string bar_binding(const Truss& truss, std::size_t bar) { return "B" + truss.structure.bars[bar].name; }
+std::string external_binding(const Truss::External& external) {
+    return "X" + number_of(external.pin) + "." + kinegraph::name_of(external.symbol);
+}
+std::string whole_binding() { return "XR"; }
 std::string pole_binding() { return "o"; }
 std::string foot_binding(const VirtualWork::Entry& entry) { return "/" + work_binding(entry); }
 

@@ -31,6 +31,25 @@ std::string curvature_binding(BodyIndex body, const std::string& what);
 std::string work_binding(const VirtualWork::Entry& entry);
 /// A point of the mechanism, which depends on the position only.
 std::string point_binding(PointIndex point);
+/// A place that a body carries, given as drawn, m.
+std::string place_binding(BodyIndex body, const Vector& drawn);
+/// The tip of a vector that begins at a place; `scale`: units of the vector for a metre of the mechanism.
+std::string tip_binding(const std::string& place, const std::string& vector, double scale);
+/// The tip of the virtual displacement of a point in a freedom; `scale`: displacement for a metre of the mechanism.
+std::string displaced_binding(PointIndex point, std::size_t freedom, double scale);
+/// The directions of a joint's common tangent and of its guide.
+std::string tangent_binding(JointIndex joint);
+std::string guide_binding(JointIndex joint);
+/// A part of the relative motion with this index: "v", "v along", …
+std::string relative_binding(std::size_t index, const std::string& what);
+/// The velocity of a point in a given instantaneous motion, and what else that motion has: "centre", "omega", …
+std::string velocity_binding(PointIndex point);
+std::string instantaneous_binding(const std::string& what);
+/// The force of a truss's bar on its first pin, and an external force.
+std::string bar_binding(const Truss& truss, std::size_t bar);
+std::string external_binding(const Truss::External& external);
+/// The resultant of the loads on a truss.
+std::string whole_binding();
 /// The pole of the lever, and the foot of the perpendicular from it on the line of a force.
 std::string pole_binding();
 std::string foot_binding(const VirtualWork::Entry& entry);

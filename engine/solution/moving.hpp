@@ -29,7 +29,8 @@ struct MovingGiven {
         torsion,  ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
         rate,     ///< rate of a driver with a law
         acceleration,
-        setting  ///< its original value times the change of Moving::settings[index]
+        setting,  ///< its original value times the change of Moving::settings[index], and turned as that is
+        turned    ///< its original value turned as Moving::settings[index] is
     } rule = Rule::place;
     int given = 0;  ///< index in Program::givens
     int index = -1;
@@ -73,6 +74,9 @@ struct MovingPlan {
     struct Binding {
         std::string name;
         ElementIndex place, vector, couple;
+        int given = -1;  ///< index of the load, or of the given velocity, that it is; −1: neither
+        /// Of a force on a free body: the id of the body's figure, and its data-name.
+        std::string figure = {}, symbol = {};
     };
     std::vector<Binding> held;
 };
@@ -98,16 +102,18 @@ struct MovingCourse {
     std::vector<Sample> samples;  ///< in the order of the travel
 };
 
-/// A given that can be changed while everything else stays: a driver's rate, the size of a load, the length of a bar,
-/// the distance of the frame's two hinges, a parameter of the file. Never zero, because verdicts depend on that.
+/// A given that can be changed while everything else stays: a driver's rate, the size of a load, a velocity of a given
+/// instantaneous motion, the length of a bar, the distance of the frame's two hinges, a parameter of the file. Never
+/// zero, because verdicts depend on that.
 struct MovingSetting {
     enum class Kind {
         velocity,
         acceleration,
         load,
-        bar,       ///< a body with two hinges: all its places, relative to its reference, are scaled
-        ground,    ///< the hinge at `ends[1]` moves along the line from the one at `ends[0]`
-        parameter  ///< see MovingEffect
+        point_velocity,  ///< of the given instantaneous motion
+        bar,             ///< a body with two hinges: all its places, relative to its reference, are scaled
+        ground,          ///< the hinge at `ends[1]` moves along the line from the one at `ends[0]`
+        parameter        ///< see MovingEffect
     } kind = Kind::velocity;
     int of = 0;  ///< index of the driver, the load or the body in the mechanism
     std::string name;
@@ -116,6 +122,8 @@ struct MovingSetting {
     /// Of a parameter and of a rate, as the file writes it: "mm", "rpm"; of a bare number empty.
     std::string written_unit = {};
     std::array<PointIndex, 2> ends{};
+    /// Of a vector that can be turned too: its direction as drawn, rad.
+    std::optional<double> direction = std::nullopt;
     double radians = 0;  ///< for a parameter that is an angle: size of its written unit, rad; else 0
 };
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solution/bindings.hpp"
 #include "engine/solution/displacements.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
-#include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 
@@ -43,7 +44,7 @@ std::vector<DisplacedPoint> shown_displacements(const Solution& moved) {
     return shown;
 }
 
-void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, double scale) {
+void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, std::size_t freedom, double scale) {
     const Spot at = sketch.spot(shown.point), way = paper_spot(shown.displacement);
     const Spot tip = at + Spot{way.x / scale, way.y / scale};
     if (coincide(at, tip)) return;
@@ -51,51 +52,80 @@ void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, double scale
     if (!text.empty()) text.front().text = "δr";
     const BodyColour colour = sketch.theme.colour_of(shown.body);
     const std::string name = "delta r_" + shown.name;
+    const Holds held =
+        arrow_between(point_binding(shown.point), displaced_binding(shown.point, freedom, scale / sketch.scale()));
     sketch.arrows.emplace_back(GroupBegin{"displacement",
                                           sketch.id("", name),
                                           plain(text),
                                           {{"data-name", name}, {"data-value", shortest(length(shown.displacement))}},
-                                          none});
+                                          none,
+                                          held});
     draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour.line);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour.letter, middle(Bar{at, tip}), 1.4);
     label.size = sketch.theme.equation;
     label.toward = tip;
+    label.holds = held;
+}
+
+/// The place about which a turn is drawn: the pivot of a body that turns about the frame, otherwise its middle.
+struct Pivot {
+    Spot at;
+    Holds held;
+};
+Pivot pivot_of(const Sketch& sketch, BodyIndex body) {
+    for (const Joint& joint : sketch.mechanism.joints)
+        if (is_fixed_pin(joint) && joint.connects(body))
+            return {sketch.spot(joint), {Holds::Form::at, {point_binding(joint.point)}}};
+    const Spot middle = sketch.shape(body).middle;
+    const Vector place{Exact::from_double(middle.x * sketch.scale()), Exact::from_double(-middle.y * sketch.scale())};
+    return {middle, {Holds::Form::at, {place_binding(body, place)}}};
 }
 
 /// All actions have the same length in mm; their values are in the table.
 constexpr double acting = 13;  // mm
 
-void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along) {
+void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along, const Holds& held) {
     const Spot tail = at - acting * along;
     const std::string name = name_of(symbol);
-    sketch.arrows.emplace_back(GroupBegin{"force", sketch.id("", name), name, {{"data-name", name}}, none});
+    sketch.arrows.emplace_back(GroupBegin{"force", sketch.id("", name), name, {{"data-name", name}}, none, held});
     draw_arrow(sketch.arrows, tail, at, sketch.theme.vector, sketch.theme.text);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label =
         sketch.add_label(typeset(symbol, sketch.context.language), sketch.theme.text, middle(Bar{tail, at}), 1.4);
     label.size = sketch.theme.equation;
     label.toward = tail;
+    label.holds = held;
 }
-void draw_turn(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, double radius, Colour colour) {
+void draw_turn(Sketch& sketch, RichText text, const Pivot& pivot, bool counter_clockwise, double radius,
+               Colour colour) {
+    const Spot at = pivot.at;
+    const std::size_t first = sketch.arrows.size();
+
     constexpr double from = -0.5, by = 1.7;
     draw_arc_arrow(sketch.arrows, at, radius, counter_clockwise ? -from : from - by,
                    counter_clockwise ? -from - by : from, sketch.theme.outline, colour);
-    sketch.add_label(std::move(text), colour,
-                     at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2);
+    hang(sketch.arrows, first, pivot.held);
+    sketch
+        .add_label(std::move(text), colour,
+                   at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2)
+        .holds = pivot.held;
 }
-/// The pivot of a body that turns about the frame, otherwise a point of the body.
-Spot pivot_of(const Sketch& sketch, BodyIndex body) {
-    for (const Joint& joint : sketch.mechanism.joints)
-        if (is_fixed_pin(joint) && joint.connects(body)) return sketch.spot(joint);
-    return sketch.shape(body).middle;
+
+/// A balancing force at its point, along its line.
+Holds along_bearing(const ForceEffort& effort) {
+    const std::string at = point_binding(effort.at);
+    const auto* ends = std::get_if<Bearing::Between>(&effort.along.form);
+    if (ends == nullptr) return {Holds::Form::at, {at}};
+    return {Holds::Form::with, {at, point_binding(ends->from), point_binding(ends->to)}};
 }
 
 /// The actions in their directions; an input force or couple as a unit.
 void draw_actions(Sketch& sketch, const Solution& moved) {
     for (const VirtualWork::Entry& entry : moved.virtual_work->entries) {
         if (!entry.force.is_zero()) {
-            draw_force(sketch, entry.symbol, sketch.spot(entry.at), unit(paper_spot(entry.force)));
+            draw_force(sketch, entry.symbol, sketch.spot(entry.at), unit(paper_spot(entry.force)),
+                       {Holds::Form::with, {place_binding(entry.body, entry.at), work_binding(entry)}});
         } else if (!entry.couple.is_zero()) {
             draw_turn(sketch, typeset(entry.symbol, sketch.context.language), pivot_of(sketch, entry.body),
                       entry.couple.sign() > 0, 9, sketch.theme.text);
@@ -107,12 +137,14 @@ void draw_actions(Sketch& sketch, const Solution& moved) {
                       pivot_of(sketch, couple->body), true, 12, sketch.theme.text);
         } else if (const auto* force = std::get_if<ForceEffort>(&effort)) {
             draw_force(sketch, {Symbol::Letter::F, force->name, {}}, sketch.spot(force->at),
-                       unit(paper_spot(direction_of(force->along, moved.pose))));
+                       unit(paper_spot(direction_of(force->along, moved.pose))), along_bearing(*force));
         } else {
             const auto& actuator = std::get<ActuatorEffort>(effort);
             draw_force(sketch, {Symbol::Letter::F, actuator.name, {}},
                        sketch.spot(moved.mechanism.joint(actuator.joint)),
-                       unit(paper_spot(moved.pose.guide_units[at_index(actuator.joint)])));
+                       unit(paper_spot(moved.pose.guide_units[at_index(actuator.joint)])),
+                       {Holds::Form::with,
+                        {point_binding(moved.mechanism.joint(actuator.joint).point), guide_binding(actuator.joint)}});
         }
     }
 }
@@ -148,7 +180,7 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
         draw_in_grey(sketch);
         const double reach = std::clamp(0.4 * sketch.size(), 12.0, 40.0);
         const double scale = choose_scale(longest, 0, reach, reach, std::nullopt);
-        for (const DisplacedPoint& each : shown) draw_displacement(sketch, each, scale);
+        for (const DisplacedPoint& each : shown) draw_displacement(sketch, each, index, scale);
         draw_actions(sketch, moved);
         if (const auto* spin = std::get_if<SpinDriver>(&freedom.driver))
             draw_turn(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body), true,

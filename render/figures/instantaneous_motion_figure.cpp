@@ -7,11 +7,12 @@
 #include "engine/number/assert.hpp"
 #include "engine/number/functions.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
-#include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 
 using namespace drawing;
 using Found = InstantaneousMotionFigure::Found;
+using Form = Holds::Form;
 
 constexpr double corner_mark = 1.8;      // of the mark of a right angle, mm
 constexpr double longest_velocity = 34;  // mm
@@ -80,6 +82,11 @@ protected:
     Pen thin() const { return {context_.theme.thin, context_.theme.secondary, {}, false}; }
     static Spot tip_of(const Sketch& sketch, const VelocityArrow& shown, double scale) {
         return sketch.spot(shown.point) + (1 / scale) * shown.tip;
+    }
+    /// The name of the place of that tip.
+    std::string tip_of(PointIndex point, const Sketch& sketch, double scale) const {
+        return tip_binding(point_binding(point), velocity_binding(point),
+                           scale * unit_.si.to_double() / sketch.scale());
     }
     const VelocityArrow* shown_at(PointIndex point) const {
         for (const VelocityArrow& shown : shown_)
@@ -160,15 +167,24 @@ private:
         if (velocity && whole > 3 * corner_mark && found_it) {
             const Spot r = corner_mark * along, v = corner_mark * *velocity;
             sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
+            hang(sketch.construction, sketch.construction.size() - 1, toward_centre(point));
         }
         if (near) {
             sketch.construction.emplace_back(line(from, centre + (found_it ? overshoot : 0.0) * along, thin()));
+            hang(sketch.construction, sketch.construction.size() - 1,
+                 {Form::segment, {point_binding(point), of_centre()}, found_it ? overshoot : 0.0});
         } else if (found_it) {
             const Interval seen = within(grown(sketch.mechanism_box(), 14), from, along);
             const Spot to = from + std::min(whole, std::max(seen.to, 10.0)) * along;
             draw_arrow(sketch.construction, from, to, context_.theme.thin, context_.theme.secondary);
+            hang(sketch.construction, sketch.construction.size() - 2, toward_centre(point));
             far_ends.push_back(to);
         }
+    }
+
+    static std::string of_centre() { return instantaneous_binding("centre"); }
+    static Holds toward_centre(PointIndex point) {
+        return {Form::with, {point_binding(point), point_binding(point), of_centre()}};
     }
 
     /// The lines through the tips and through the points, both to the centre.
@@ -182,8 +198,13 @@ private:
             KG_ASSERT(shown, "velocities that give the centre are shown");
             tips[i] = tip_of(sketch, *shown, scale);
         }
+        const std::string a = point_binding(act_.points[0]), b = point_binding(act_.points[1]);
         draw_through(sketch, {first, second}, centre, near);
+        hang(sketch.construction, sketch.construction.size() - 1, {Form::through, {a, a, b}});
+        const std::string tip = tip_of(act_.points[0], sketch, scale);
         draw_through(sketch, {tips[0], tips[1]}, centre, near);
+        hang(sketch.construction, sketch.construction.size() - 1,
+             {Form::through, {tip, tip, tip_of(act_.points[1], sketch, scale)}});
     }
 
     /// A line through two points and, if it is near, the centre.
@@ -215,11 +236,13 @@ private:
             const Spot from = sketch.spot(point);
             const auto velocity = direction_at(point);
             end = from + reach * towards;
+            const std::size_t own = sketch.construction.size();
             if (velocity) {
                 const Spot r = corner_mark * towards, v = corner_mark * *velocity;
                 sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
             }
             draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
+            hang(sketch.construction, own, {Form::with, {point_binding(point), velocity_binding(point)}});
         }
         belong(sketch.construction, first, act_.centre_statement);
         LabelRequest label = name_of_centre(sketch);
@@ -235,11 +258,13 @@ private:
                       solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
             plain(name_of_centre(sketch).text),
             {},
-            act_.centre_statement});
+            act_.centre_statement,
+            Holds{Form::at, {of_centre()}}});
         sketch.centres.emplace_back(tinted(disc(at, 1.15, context_.theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
         sketch.centres.emplace_back(GroupEnd{});
         LabelRequest label = name_of_centre(sketch);
+        label.holds = {Form::at, {of_centre()}};
         label.anchor = at;
         label.clearance = 1.7;
         sketch.labels.push_back(std::move(label));
@@ -292,6 +317,8 @@ private:
         const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
         belong(sketch.arrows, first, statement);
+        const Holds held{Form::couple, {of_centre(), instantaneous_binding("omega")}};
+        hang(sketch.arrows, first, held);
         const Unit& unit_of = solution_.mechanism.units.angular_velocity;
         LabelRequest label;
         label.statement = statement;
@@ -302,6 +329,8 @@ private:
         label.colour = body.letter;
         label.anchor = at + radius * away;
         label.clearance = 1.5;
+        label.holds = held;
+        label.holds.unit = unit_of.si.to_double();
         sketch.labels.push_back(std::move(label));
     }
 };
@@ -330,6 +359,7 @@ private:
             const Spot at = sketch.spot(point);
             sketch.construction.emplace_back(line(at - half * along, at + half * along,
                                                   {context_.theme.thin, context_.theme.text, dash_dot(), false}));
+            hang(sketch.construction, sketch.construction.size() - 1, {Form::at, {point_binding(point)}});
         }
     }
 
@@ -343,13 +373,16 @@ private:
             const std::string name = name_of(symbol);
             const RichText text = typeset(symbol, context_.language);
             const std::size_t first = sketch.arrows.size();
+            const Holds held = arrow_between(point_binding(shown.point), tip_of(shown.point, sketch, scale));
             sketch.arrows.emplace_back(GroupBegin{"velocity",
                                                   sketch.id("mechanism", name),
                                                   plain(text),
                                                   {{"data-name", name},
                                                    {"data-value", shortest(shown.value)},
                                                    {"data-scale", shortest(scale)},
-                                                   {"data-unit", unit_.symbol}}});
+                                                   {"data-unit", unit_.symbol}},
+                                                  none,
+                                                  held});
             sketch.arrows.emplace_back(Axis{at, tip});
             draw_arrow(sketch.arrows, at, tip, theme.vector, shown.given ? theme.text : body.line);
             sketch.arrows.emplace_back(GroupEnd{});
@@ -363,6 +396,7 @@ private:
             request.anchor = at + 0.62 * (tip - at);
             request.toward = tip;
             request.clearance = 1.6;
+            request.holds = held;
             sketch.labels.push_back(std::move(request));
         }
     }
@@ -376,6 +410,8 @@ private:
         LabelRequest label;
         label.statement = act_.acceleration_centre_statement;
         belong(sketch.centres, sketch.centres.size() - 1, label.statement);
+        label.holds = {Form::at, {instantaneous_binding("acceleration")}};
+        hang(sketch.centres, sketch.centres.size() - 1, label.holds);
         label.text = typeset(Symbol{Symbol::Letter::point, act_.acceleration_centre_name, ""}, context_.language);
         append(label.text, one_piece(" ("));
         append(label.text, typeset(Symbol{Symbol::Letter::a, act_.acceleration_centre_name, ""}, context_.language));
@@ -396,7 +432,9 @@ private:
         double from = 0, to = length(second - first);
         const Theme& theme = context_.theme;
         const BodyColour accent = theme.body(act_.body);
-        const auto draw = [&](PointIndex point, const Vector& projection) {
+        const auto draw = [&](PointIndex point, const Vector& projection, const char* held) {
+            const std::string own = tip_binding(point_binding(point), instantaneous_binding(held),
+                                                scale * unit_.si.to_double() / sketch.scale());
             const Spot at = sketch.spot(point);
             const Vector in_unit{projection.x / unit_.si, projection.y / unit_.si};
             const Spot foot = at + (1 / scale) * paper_spot(in_unit);
@@ -406,6 +444,8 @@ private:
                 const Spot tip = tip_of(sketch, *shown, scale);
                 if (length(tip - foot) > shortest_drawn) {
                     sketch.construction.emplace_back(line(tip, foot, thin()));
+                    hang(sketch.construction, sketch.construction.size() - 1,
+                         {Form::segment, {tip_of(point, sketch, scale), own}});
                     if (length(tip - foot) > 2 * corner_mark && length(foot - at) > 2 * corner_mark) {
                         const Spot up = corner_mark * unit(tip - foot), back = corner_mark * unit(at - foot);
                         sketch.construction.emplace_back(polyline({foot + up, foot + up + back, foot + back}, thin()));
@@ -413,8 +453,10 @@ private:
                 }
             }
             const double value = kinegraph::length(in_unit);
+            const std::size_t arrow = sketch.arrows.size();
             if (length(foot - at) > shortest_drawn)
                 draw_arrow(sketch.arrows, at, foot, 1.6 * theme.vector, accent.line);
+            hang(sketch.arrows, arrow, arrow_between(point_binding(point), own));
             LabelRequest label;
             label.text = one_piece(number(value, 3, context_.language) + " ");
             append(label.text, with_powers(unit_.symbol));
@@ -425,10 +467,11 @@ private:
             label.clearance = 1.6;
             sketch.labels.push_back(std::move(label));
         };
-        draw(differing.first, *differing.of_first);
-        draw(differing.second, *differing.of_second);
+        draw(differing.first, *differing.of_first, "first");
+        draw(differing.second, *differing.of_second, "second");
         sketch.construction.emplace_back(
             line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
+        hang(sketch.construction, sketch.construction.size() - 1, {Form::at, {point_binding(differing.first)}});
     }
 };
 

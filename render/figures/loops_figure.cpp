@@ -5,11 +5,12 @@
 
 #include "engine/equations/equations.hpp"
 #include "engine/equations/equations_values.hpp"
+#include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
-#include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/math.hpp"
 
@@ -53,15 +54,43 @@ RichText text_of(const Equations& equations, const Equations::Angle& angle) {
     return text;
 }
 
+/// What the marks of a side move with, if bodies carry both of its ends.
+struct HeldSide {
+    std::string from, to;
+    explicit operator bool() const { return !from.empty(); }
+    Holds arrow() const { return from.empty() ? Holds{} : arrow_between(from, to); }
+    Holds angle(double radius) const { return from.empty() ? Holds{} : Holds{Holds::Form::arc, {from, to}, radius}; }
+};
+/// The slide of a guide, or a link that replaces a contact, leads from a place of one body to a place of another; any
+/// other side is a body's own. Where an offset varies too, its foot is no body's place.
+HeldSide held_by(const Equations& equations, const Side& side) {
+    const Equations::Letter& letter = equations.letter(side.body == none ? side.angle.letters.front() : side.length);
+    if (letter.joint == none && side.body == none) return {};
+    if (letter.joint == none) return {place_binding(side.body, side.from), place_binding(side.body, side.to)};
+    const auto varies = std::count_if(equations.letters.begin(), equations.letters.end(), [&](const auto& each) {
+        return !each.is_angle && each.joint == letter.joint && each.body == letter.body;
+    });
+    if (varies > 1 || letter.body == none || letter.against == none) return {};
+    return {place_binding(letter.against, side.from), place_binding(letter.body, side.to)};
+}
+
 /// An arc from a thin ray along +x to the side. On paper counter-clockwise is the negative sense.
 void draw_angle(Sketch& sketch, const Equations& equations, const Side& side, Spot tail, double longest, Colour colour,
                 double shrink) {
+    const HeldSide ends = held_by(equations, side);
     const double angle = value_of(equations, side.angle);
     constexpr double widest = 8, least = 3.5, beyond = 2.5;
     const double radius = std::clamp(0.3 * longest, least, widest) * shrink;
     sketch.construction.emplace_back(line(tail, tail + Spot{radius + beyond, 0}, sketch.thin()));
+    const std::size_t first = sketch.arrows.size();
     draw_arc_arrow(sketch.arrows, tail, radius, 0, -angle, sketch.theme.thin, colour);
-    sketch.add_label(text_of(equations, side.angle), colour, tail + radius * polar_spot(-angle / 2), 0.8);
+    const Holds held = ends.angle(radius);
+    hang(sketch.arrows, first, held);
+    LabelRequest& label =
+        sketch.add_label(text_of(equations, side.angle), colour, tail + radius * polar_spot(-angle / 2), 0.8);
+    if (!ends) return;
+    hang(sketch.construction, sketch.construction.size() - 1, {Holds::Form::at, {ends.from}});
+    label.holds = held;
 }
 
 void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std::set<std::string>& angles,
@@ -74,12 +103,14 @@ void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std
                    sketch.id("side", name),
                    name,
                    {{"data-name", name}, {"data-value", shortest(equations.letter(side.length).value)}},
-                   none});
+                   none,
+                   held_by(equations, side).arrow()});
     if (!coincide(tail, tip)) draw_arrow(sketch.arrows, tail, tip, sketch.theme.vector, colour.line);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label =
         sketch.add_label(text_of(equations.letter(side.length)), colour.letter, middle(Bar{tail, tip}), 1.3);
     label.size = sketch.theme.equation;
+    label.holds = held_by(equations, side).arrow();
     if (!coincide(tail, tip)) label.toward = tip;
     if (side.angle.letters.empty() || length(tip - tail) < 4 ||
         !angles.insert(plain(text_of(equations, side.angle))).second)

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
-#include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 
@@ -33,34 +34,50 @@ void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot alon
     const Spot at = sketch.spot(apart.origin), across{along.y, -along.x};  // y downwards: counter-clockwise on paper
     const double reach = std::clamp(0.3 * sketch.size(), 12.0, 26.0);
     const Colour colour = sketch.theme.colour_of(observer).letter;
+    // Without a second point the axes keep their directions.
+    const std::string origin = point_binding(apart.origin);
+    const Holds held = apart.towards == none ? Holds{Holds::Form::at, {origin}}
+                                             : Holds{Holds::Form::with, {origin, origin, point_binding(apart.towards)}};
     const auto axis = [&](Spot direction, const char* name) {
-        sketch.arrows.emplace_back(GroupBegin{"axis", sketch.id("axis", name), name, {{"data-name", name}}, none});
+        sketch.arrows.emplace_back(
+            GroupBegin{"axis", sketch.id("axis", name), name, {{"data-name", name}}, none, held});
         draw_arrow(sketch.arrows, at, at + reach * direction, sketch.theme.outline, colour);
         sketch.arrows.emplace_back(GroupEnd{});
-        sketch.add_label(one_piece(name, Face::italic), colour, at + reach * direction, 1.2);
+        sketch.add_label(one_piece(name, Face::italic), colour, at + reach * direction, 1.2).holds = held;
     };
     axis(along, "x′");
     axis(across, "y′");
 }
 
-/// The scale of a vector: value for each mm.
+/// The scale of a vector: value for each mm. And the names that it has in the record.
 struct VectorScale {
     double per_millimetre;
     const char* unit;
+    std::string held;
 };
 
 /// A vector at a point, with its two components dashed.
 void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
-                        double value, const VectorScale& scale, Colour colour) {
+                        double value, const VectorScale& scale, PointIndex point, Colour colour) {
     const Spot tip = at + along + across;
     if (coincide(at, tip)) return;
+    const std::string from = point_binding(point);
+    const auto to = [&](const char* part) {
+        return tip_binding(from, scale.held + part, scale.per_millimetre / sketch.scale());
+    };
     if (length(along) > 1 && length(across) > 1) {
         const Pen pen{sketch.theme.thin, colour, dashes(), false};
-        for (const Spot& part : {along, across}) {
-            sketch.construction.emplace_back(line(at, at + part, pen));
-            sketch.construction.emplace_back(line(at + part, tip, pen));
-        }
+        const auto side = [&](Spot a, Spot b, std::string held_a, std::string held_b) {
+            Path stroke = line(a, b, pen);
+            stroke.holds = {Holds::Form::segment, {std::move(held_a), std::move(held_b)}};
+            sketch.construction.emplace_back(std::move(stroke));
+        };
+        side(at, at + along, from, to(" along"));
+        side(at + along, tip, to(" along"), to(""));
+        side(at, at + across, from, to(" across"));
+        side(at + across, tip, to(" across"), to(""));
     }
+    const Holds held = arrow_between(from, to(""));
     sketch.arrows.emplace_back(GroupBegin{"vector",
                                           sketch.id("", name),
                                           plain(text),
@@ -68,13 +85,15 @@ void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string&
                                            {"data-value", shortest(value)},
                                            {"data-scale", shortest(scale.per_millimetre)},
                                            {"data-unit", scale.unit}},
-                                          none});
+                                          none,
+                                          held});
     sketch.arrows.emplace_back(Axis{at, tip});
     draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour, middle(Bar{at, tip}), 1.4);
     label.size = sketch.theme.equation;
     label.toward = tip;
+    label.holds = held;
 }
 
 /// The sense of ω: a quarter turn from v_rel to Coriolis' term.
@@ -92,26 +111,30 @@ void draw_turning_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, S
                      colour, at + radius * polar_spot(from + turn * quarter / 2), 0.9);
 }
 
-void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_scale, double acceleration_scale) {
+void draw_seen(Sketch& sketch, const RelativeMotion& motion, std::size_t index, double velocity_scale,
+               double acceleration_scale) {
     const Apart& apart = *motion.apart;
     const Notation& own_notation = notation(sketch.context.language);
     const Spot at = sketch.spot(motion.query.point);
     const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
     const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
     const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
-    const VectorScale speeds{velocity_scale, "m/s"}, rates_of_change{acceleration_scale, "m/s²"};
+    const PointIndex point = motion.query.point;
+    const VectorScale speeds{velocity_scale, "m/s", relative_binding(index, "v")},
+        rates_of_change{acceleration_scale, "m/s²", relative_binding(index, "a")},
+        of_turning{acceleration_scale, "m/s²", relative_binding(index, "cor")};
     draw_letter_vector(sketch, letter("v", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "v_rel", at, on_paper(*apart.velocity_along, velocity_scale),
                        on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), speeds,
-                       dark);
+                       point, dark);
     draw_letter_vector(sketch, letter("a", own_notation.relative, sketch.mechanism.point(motion.query.point).name),
                        "a_rel", at, on_paper(*apart.acceleration_along, acceleration_scale),
                        on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
-                       rates_of_change, sketch.theme.secondary);
+                       rates_of_change, point, sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
     draw_letter_vector(sketch, letter("a", own_notation.coriolis, sketch.mechanism.point(motion.query.point).name),
                        "a_cor", at, on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0},
-                       length(*motion.coriolis), rates_of_change, own);
+                       length(*motion.coriolis), of_turning, point, own);
     draw_turning_sense(sketch, motion, at, v);
 }
 
@@ -147,7 +170,7 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
         const double acceleration_scale =
             acceleration > 0 ? choose_scale(acceleration, 0, reach, reach, std::nullopt) : 1;
         draw_axes(sketch, apart, motion.query.observer, along);
-        draw_seen(sketch, motion, velocity_scale, acceleration_scale);
+        draw_seen(sketch, motion, index, velocity_scale, acceleration_scale);
         name_points(sketch);
         Figure figure = sketch.finish(blank, "m/s");
         figure.scale = velocity_scale;

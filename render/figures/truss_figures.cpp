@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/number/assert.hpp"
+#include "engine/solution/bindings.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
@@ -212,11 +213,13 @@ public:
         for (const Truss::External& external : truss_.externals) draw_external(external);
         for (const Truss::Space& space : truss_.spaces) name_space(space);
         draw_whole();
-        for (const TakenTogether& together : solution_.taken_together)
+        for (std::size_t i = 0; i < solution_.taken_together.size(); ++i) {
+            const TakenTogether& together = solution_.taken_together[i];
             if (together.funicular)
-                draw_strings_of(*together.funicular, together.sums);
+                draw_strings_of(*together.funicular, together.sums, i);
             else
-                for (const AppliedForce& sum : together.sums) draw_line_of_meets(sum);
+                for (const AppliedForce& sum : together.sums) draw_line_of_meets(sum, sum_binding("", i, sum));
+        }
         TrussCuts(sketch_).draw();
     }
 
@@ -264,6 +267,10 @@ private:
         const std::size_t found = sketch_.bodies.size();
         sketch_.bodies.emplace_back(
             line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
+        hang(sketch_.bodies, found,
+             {Holds::Form::segment,
+              {point_binding(point_of(truss_, own.pins[0])), point_binding(point_of(truss_, own.pins[1])),
+               bar_binding(truss_, bar)}});
         belong(sketch_.bodies, found, truss_.bars[bar].statement);
         sketch_.bodies.emplace_back(GroupEnd{});
     }
@@ -293,13 +300,18 @@ private:
                                                sketch_.id("force", name_of(external.symbol)),
                                                name_of(external.symbol),
                                                {{"data-name", name_of(external.symbol)}},
-                                               external.statement});
+                                               external.statement,
+                                               held_by(external)});
         draw_arrow(sketch_.arrows, behind ? far : near, behind ? near : far, sketch_.theme.outline, sketch_.theme.text);
         sketch_.arrows.emplace_back(GroupEnd{});
         LabelRequest& label = sketch_.add_label(typeset(external.symbol, sketch_.context.language), sketch_.theme.text,
                                                 0.5 * (near + far), 1.2, external.statement);
         label.toward = far;
         label.names = {name_of(external.symbol)};
+        label.holds = held_by(external);
+    }
+    Holds held_by(const Truss::External& external) const {
+        return {Holds::Form::with, {point_binding(point_of(truss_, external.pin)), external_binding(external)}};
     }
 
     /// Inside at the centroid of its pins; outside beside its longest bar, or between the forces at a pin.
@@ -348,19 +360,26 @@ private:
                 if (external.joint == none) continue;
                 const Spot pin = spot(external.pin), along = paper_direction(*external.force);
                 if (std::abs(cross(along, at - pin)) > 0.05 + 1e-9 * length(at - pin)) continue;
-                if (near)
+                if (near) {
                     sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
-                else
-                    point_to(at, pin, meet);
+                    hang(sketch_.construction, sketch_.construction.size() - 1,
+                         {Holds::Form::through,
+                          {point_binding(point_of(truss_, external.pin)), meet_binding("", meet.name)}});
+                } else {
+                    point_to(at, external.pin, meet);
+                }
             }
             if (near) {
-                if (!is_of_strings(meet)) draw_line_of_whole(whole, at);  // strings draw the resultant themselves
+                if (!is_of_strings(meet)) draw_line_of_whole(whole, meet, at);  // strings draw the resultant themselves
+                const Holds held{Holds::Form::at, {meet_binding("", meet.name)}};
                 sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
                 belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
-                sketch_
-                    .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
-                               sketch_.theme.text, at, 1.8, meet.statement)
-                    .names = {meet.name};
+                hang(sketch_.centres, sketch_.centres.size() - 1, held);
+                LabelRequest& label =
+                    sketch_.add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
+                                      sketch_.theme.text, at, 1.8, meet.statement);
+                label.names = {meet.name};
+                label.holds = held;
             }
             belong(sketch_.construction, first, meet.statement);
         }
@@ -373,7 +392,7 @@ private:
                            });
     }
     /// Culmann's line, which joins two intersections, with the force along it.
-    void draw_line_of_meets(const AppliedForce& sum) {
+    void draw_line_of_meets(const AppliedForce& sum, const std::string& held) {
         if (!truss_.whole) return;
         constexpr double size = 14;
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
@@ -392,21 +411,30 @@ private:
             const double reach = contains(view, to) ? length(to - from) : 2 * size;
             sketch_.construction.emplace_back(line(from - 6.0 * off, from + reach * off, sketch_.axis()));
         }
+        hang(sketch_.construction, first, along_force(held));
         const Spot tail = at + 2.0 * along;
         draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text);
+        hang(sketch_.construction, first, with_force(held));
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
                                                 tail + 0.5 * size * along, 1.2, sum.force_statement);
         label.toward = tail + size * along;
         label.names = {name_of(sum.symbol)};
+        label.holds = with_force(held);
     }
-    void draw_line_of_whole(const Truss::Whole& whole, Spot at) {
+    static Holds with_force(const std::string& held) { return {Holds::Form::with, {held, held}}; }
+    /// The visible part of its line of action.
+    static Holds along_force(const std::string& held) { return {Holds::Form::through, {held, held}}; }
+    void draw_line_of_whole(const Truss::Whole& whole, const Truss::Whole::Meet& meet, Spot at) {
         constexpr double half = 16;
         const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
         if (std::abs(cross(along, at - through)) > 0.05) return;
+        const Holds held{Holds::Form::with, {meet_binding("", meet.name), whole_binding()}};
+        const std::size_t first = sketch_.construction.size();
         sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
         draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
                    sketch_.theme.secondary);
+        hang(sketch_.construction, first, held);
         const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
                                          [](const Truss::External& external) { return external.joint == none; });
         if (loads < 2) return;  // a single load has its own letter
@@ -414,44 +442,58 @@ private:
                                                 sketch_.theme.text, at - 0.5 * half * along, 1.2, whole.statement);
         label.toward = at;
         label.names = {"F_R"};
+        label.holds = held;
     }
     /// For an intersection outside the drawing: an arrow from a pin towards it, with the distance.
-    void point_to(Spot meet, Spot pin, const Truss::Whole::Meet& named) {
+    void point_to(Spot meet, int of, const Truss::Whole::Meet& named) {
         constexpr double off = 6, size = 16;
+        const Spot pin = spot(of);
+        const std::string from_pin = point_binding(point_of(truss_, of));
+        const Holds held{Holds::Form::with, {from_pin, from_pin, meet_binding("", named.name)}};
         const double away = length(meet - pin);
         if (!std::isfinite(away)) return;  // out of the range of doubles
         const Spot along = (1 / away) * (meet - pin), tip = pin + (off + size) * along;
         draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary);
+        hang(sketch_.construction, sketch_.construction.size() - 2, held);
         RichText text = typeset(Symbol{Symbol::Letter::point, named.name, ""}, sketch_.context.language);
         if (const auto from = name_of_point_at(sketch_, pin)) append(text, how_far(sketch_, *from, text, away));
         LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.text, tip, 1.2, named.statement);
         label.names = {named.name};
+        label.holds = held;
     }
     /// Over the truss, each string between the lines of two forces; the resultant at the intersection of the outer
     /// ones.
-    void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums) {
+    void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums,
+                         std::size_t group) {
         draw_strings(sketch_, funicular);
-        const auto lead_to = [&](Spot pin, Spot along, Spot at) {
+        const auto lead_to = [&](int of, Spot along, std::size_t vertex) {
+            const Spot pin = spot(of), at = sketch_.spot(*funicular.vertices[vertex]);
             if (std::abs(cross(along, at - pin)) > 0.05 || length(at - pin) < 1) return;
             sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
             belong(sketch_.construction, sketch_.construction.size() - 1, funicular.statement);
+            hang(sketch_.construction, sketch_.construction.size() - 1,
+                 {Holds::Form::segment,
+                  {point_binding(point_of(truss_, of)), string_binding("", funicular, vertex)},
+                  6});
         };
         for (const Truss::External& external : truss_.externals)
-            for (const Recorded<Vector>& vertex : funicular.vertices)
-                lead_to(spot(external.pin), paper_direction(*external.force), sketch_.spot(*vertex));
-        for (const AppliedForce& sum : sums) draw_resultant(sum);
+            for (std::size_t vertex = 0; vertex < funicular.vertices.size(); ++vertex)
+                lead_to(external.pin, paper_direction(*external.force), vertex);
+        for (const AppliedForce& sum : sums) draw_resultant(sum, sum_binding("", group, sum));
     }
-    void draw_resultant(const AppliedForce& sum) {
+    void draw_resultant(const AppliedForce& sum, const std::string& held) {
         constexpr double size = 14;
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
         if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
         const std::size_t first = sketch_.construction.size();
         draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text);
+        hang(sketch_.construction, first, with_force(held));
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
                                                 at + 0.5 * size * along, 1.2, sum.force_statement);
         label.toward = at + size * along;
         label.names = {name_of(sum.symbol)};
+        label.holds = with_force(held);
     }
     static Spot beyond(Spot from, Spot to) {
         const Spot off = to - from;
@@ -518,7 +560,12 @@ private:
                                                  {{"data-name", name}, {"data-value", shortest(value)}},
                                                  vector.statement});
             figure.marks.emplace_back(Axis{tail, tip});
-            figure.marks.emplace_back(line(tail, tip, thin_pen_of(context_.theme, sense_of(solution_, bar))));
+            Path stroke = line(tail, tip, thin_pen_of(context_.theme, sense_of(solution_, bar)));
+            const auto pin = [&](std::size_t end) {
+                return point_binding(point_of(truss_, truss_.structure.bars[bar].pins[end]));
+            };
+            stroke.holds = {Holds::Form::segment, {pin(0), pin(1), bar_binding(truss_, bar)}};
+            figure.marks.emplace_back(std::move(stroke));
             figure.marks.emplace_back(GroupEnd{});
             figure.axes.push_back({name, tail, tip, {}});
         }
@@ -657,6 +704,10 @@ Box extent_of_truss(const Solution& solution) {
 }
 
 }  // namespace
+
+std::array<Pen, 3> pens_of_bars(const Theme& theme) {
+    return {pen_of(theme, Sense::compression), pen_of(theme, Sense::idle), pen_of(theme, Sense::tension)};
+}
 
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Subject subject(context.solution);

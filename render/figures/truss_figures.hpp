@@ -2,6 +2,8 @@
 // in both: tension and compression differ in colour, width and line kind.
 #pragma once
 
+#include <array>
+
 #include "render/figures/figure.hpp"
 
 namespace kinegraph::render {
@@ -12,4 +14,6 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y,
 /// Kind "closure", id "cremona": external forces with heads, each bar once and without a head, corners with the letters
 /// of the spaces.
 Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
+/// Of bars in compression, without force, in tension, in the space diagram.
+std::array<Pen, 3> pens_of_bars(const Theme& theme);
 }  // namespace kinegraph::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "engine/file/json_text.hpp"
 #include "engine/sentences/centre_symbol.hpp"
@@ -98,9 +99,9 @@ private:
 };
 
 std::string_view name_of(MovingGiven::Rule rule) {
-    static constexpr std::array<std::string_view, 12> names{"place",        "guide",   "guide_unit",   "normal",
-                                                            "other_normal", "tangent", "between",      "spring",
-                                                            "torsion",      "rate",    "acceleration", "setting"};
+    static constexpr std::array<std::string_view, 13> names{
+        "place",  "guide",   "guide_unit", "normal",       "other_normal", "tangent", "between",
+        "spring", "torsion", "rate",       "acceleration", "setting",      "turned"};
     return names[static_cast<std::size_t>(rule)];
 }
 std::string_view name_of(Moving::Fixed::Why why) {
@@ -134,6 +135,7 @@ public:
             if (each.unit == QuantityKind::length)
                 json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
             if (each.kind == MovingSetting::Kind::parameter) json_.key("parameter").truth(true);
+            if (each.direction) json_.key("direction").number(*each.direction).key("given").number(each.of);
             if (each.radians != 0) json_.key("radians").number(each.radians);
             json_.close('}');
         });
@@ -142,6 +144,7 @@ public:
             json_.open('[').all(std::string(name_of(each.why)), each.name).close(']');
         });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
+        for (const MovingPlan::Binding& each : moving_.plans.front().held) drawn_.insert(each.name);
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
         return json_.close('}').take();
@@ -267,7 +270,11 @@ private:
             json_.close(']');
         });
         json_.list("held", plan.held, [&](const MovingPlan::Binding& held) {
-            json_.open('[').all(held.name, held.place, held.vector, held.couple).close(']');
+            json_.open('[').all(held.name, held.place, held.vector, held.couple);
+            const bool is_new = !held.figure.empty() && !drawn_.contains(held.name);
+            if (held.given >= 0 || is_new) json_.number(held.given);
+            if (is_new) json_.text(legal_id(held.figure)).text(held.symbol);
+            json_.close(']');
         });
         json_.close('}');
     }
@@ -328,6 +335,7 @@ private:
 
     const Moving& moving_;
     const Solution& solution_;
+    std::set<std::string> drawn_;  ///< names that the drawn position has
     Json json_;
 };
 

@@ -21,6 +21,7 @@
 #include "render/content/title_block.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/figures/plot_figure.hpp"
+#include "render/figures/truss_figures.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
@@ -353,6 +354,7 @@ public:
         data += dark ? ",\"dark\":true" : "";
         if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
+        if (solution_.truss) data += ",\"pens\":" + pens_json();
         data += "}";
         const std::string script =
             without_comments(live_script, true) + (served > 0 ? without_comments(live_watch_script, true) : "");
@@ -361,6 +363,13 @@ public:
     }
 
 private:
+    /// Stroke and width of bars in compression, without force, in tension.
+    std::string pens_json() const {
+        std::string text;
+        for (const Pen& pen : pens_of_bars(options_.theme))
+            text += (text.empty() ? "[\"" : ",[\"") + hex(pen.colour) + "\"," + shortest(pen.width) + "]";
+        return "[" + text + "]";
+    }
     /// The sheets within the controls, to which the script adds the words.
     std::string body(const std::string& sheets) const {
         std::string titles, languages;

@@ -1,8 +1,13 @@
 // Equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the centre
 // as a pin on its straight path. Thin and dashed, so that they do not look like bodies. The solution provides them.
+#include <utility>
+
+#include "engine/solution/bindings.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
+
+using Form = Holds::Form;
 
 void draw_equivalent_linkages(Sketch& sketch) {
     const Theme& theme = sketch.theme;
@@ -16,9 +21,17 @@ void draw_equivalent_linkages(Sketch& sketch) {
         if (!is_link && coincide(first, sketch.spot(joint))) continue;
         const Spot along = sketch.measures.slot_half * turned(sketch.subject.normals[at_index(linkage.joint)]);
         sketch.centres.emplace_back(GroupBegin{"equivalent", sketch.id("equivalent", joint.name), joint.name, {}});
-        sketch.centres.emplace_back(is_link ? line(first, second, broken) : line(first - along, first + along, broken));
-        sketch.centres.emplace_back(ring(first, radius, theme.paper, edge));
-        if (is_link) sketch.centres.emplace_back(ring(second, radius, theme.paper, edge));
+        const auto mark = [&](Path path, Holds holds) {
+            path.holds = std::move(holds);
+            sketch.centres.emplace_back(std::move(path));
+        };
+        const std::string one = point_binding(linkage.places[0]), other = point_binding(linkage.places[1]);
+        if (is_link)
+            mark(line(first, second, broken), {Form::segment, {one, other}});
+        else
+            mark(line(first - along, first + along, broken), {Form::with, {one, tangent_binding(linkage.joint)}});
+        mark(ring(first, radius, theme.paper, edge), {Form::at, {one}});
+        if (is_link) mark(ring(second, radius, theme.paper, edge), {Form::at, {other}});
         sketch.centres.emplace_back(GroupEnd{});
     }
 }

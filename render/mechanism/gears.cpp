@@ -135,6 +135,7 @@ void draw_gear(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>
     contour.pen = {fixed ? theme.outline : 0.5 * (theme.outline + theme.vector), colour.line, {}, false};
     (fixed ? sketch.ground : marks).emplace_back(std::move(contour));
     sketch.construction.emplace_back(circle(rim.centre, rim.radius, sketch.axis()));
+    hang(sketch.construction, sketch.construction.size() - 1, on_body(body));
     if (fixed)
         draw_fixed_rim(sketch, rim, rim.hollow ? back : root - 1.2, rim.hollow);
     else if (!rim.hollow)
@@ -146,6 +147,7 @@ void draw_rack(Sketch& sketch, const Flat& flat, BodyIndex body, std::vector<Mar
     const Spot along = direction(flat.bar), start = flat.bar.from, end = flat.bar.to;
     const double module = sketch.module(), depth = (dedendum + 2.4 / module) * module;
     sketch.construction.emplace_back(line(start - 3.0 * along, end + 3.0 * along, sketch.axis()));
+    hang(sketch.construction, sketch.construction.size() - 1, on_body(body));
     std::vector<Spot> contour = teeth_of_rack(sketch, flat, body);
     const Bar behind{start + depth * flat.inward, end + depth * flat.inward};
     if (body == frame) {

@@ -42,7 +42,8 @@ void draw_joints(Sketch& sketch) {
         for (const BodyIndex body : joint.bodies)
             bodies += (bodies.empty() ? "" : " ") + sketch.mechanism.body(body).name;
         const std::string title = joint.name + word(lang::notation::colon, sketch.context.language) + bodies;
-        sketch.pins.emplace_back(GroupBegin{"joint", sketch.id("joint", joint.name), title, {}});
+        const Holds held{Holds::Form::at, {point_binding(joint.point)}};
+        sketch.pins.emplace_back(GroupBegin{"joint", sketch.id("joint", joint.name), title, {}, none, held});
         const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return coincide(p, at); });
         const bool hinge = joint.pair().has_pin();
         if (hinge && !already && covered_by_block(sketch, joint)) {
@@ -58,10 +59,12 @@ void draw_joints(Sketch& sketch) {
 }
 
 void draw_point(Sketch& sketch, PointIndex point) {
+    const std::size_t first = sketch.pins.size();
     if (sketch.subject.mass_centre[at_index(point)])
         draw_mass_centre(sketch, sketch.spot(point));
     else
         draw_dot(sketch, sketch.spot(point));
+    hang(sketch.pins, first, {Holds::Form::at, {point_binding(point)}});
 }
 
 void draw_dot(Sketch& sketch, Spot at) {
@@ -90,6 +93,7 @@ void draw_clamp(Sketch& sketch, const Joint& joint) {
     const std::vector<Spot> patch = other != links.end() ? std::vector<Spot>{at, at + leg * along, at + leg * *other}
                                                          : corners_about(at, half * along, half * turned(along));
     sketch.pins.emplace_back(filled(patch, sketch.theme.colour_of(joint.bodies[0]).line));
+    hang(sketch.pins, sketch.pins.size() - 1, on_body(joint.bodies[0]));
 }
 
 namespace {
@@ -111,7 +115,8 @@ void draw_coil(Sketch& sketch, const SpringLoad& spring) {
         spots.push_back(to - straight * along);
     }
     spots.push_back(to);
-    sketch.ground.emplace_back(GroupBegin{"spring", sketch.id("spring", spring.name), spring.name, {}});
+    sketch.ground.emplace_back(
+        GroupBegin{"spring", sketch.id("spring", spring.name), spring.name, {}, none, between_ends(spring)});
     sketch.ground.emplace_back(polyline(spots, sketch.outline()));
     sketch.ground.emplace_back(GroupEnd{});
 }

@@ -16,7 +16,8 @@ void draw_gas_spring(Sketch& sketch, const SpringLoad& spring) {
     const double whole = length(to - from), eye = std::min(1.1, 0.2 * whole), bore = std::clamp(0.09 * whole, 1.2, 2.6);
     const Spot bottom = from + eye * along, top = from + 0.55 * whole * along, head = top - 0.12 * whole * along;
     const Pen pen = sketch.outline();
-    sketch.ground.emplace_back(GroupBegin{"gas-spring", sketch.id("spring", spring.name), spring.name, {}});
+    sketch.ground.emplace_back(
+        GroupBegin{"gas-spring", sketch.id("spring", spring.name), spring.name, {}, none, between_ends(spring)});
     sketch.ground.emplace_back(
         line(head, to - eye * along, {1.6 * sketch.theme.outline, sketch.theme.text, {}, false}));
     sketch.ground.emplace_back(
@@ -37,7 +38,12 @@ void draw_torsion_spring(Sketch& sketch, const TorsionLoad& torsion) {
         const double share = static_cast<double>(i) / steps;
         spots.push_back(at + (inner + share * (outer - inner)) * polar_spot(share * turns * 2 * pi_number));
     }
-    sketch.ground.emplace_back(GroupBegin{"torsion-spring", sketch.id("spring", torsion.name), torsion.name, {}});
+    sketch.ground.emplace_back(GroupBegin{"torsion-spring",
+                                          sketch.id("spring", torsion.name),
+                                          torsion.name,
+                                          {},
+                                          none,
+                                          Holds{Holds::Form::at, {point_binding(torsion.at)}}});
     sketch.ground.emplace_back(polyline(spots, sketch.outline()));
     sketch.ground.emplace_back(GroupEnd{});
 }

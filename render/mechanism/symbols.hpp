@@ -1,9 +1,25 @@
 // Symbols of a mechanism (ISO 3952), drawn on the layers of a sketch. A further symbol is one file and one line here.
 #pragma once
 
+#include <string>
+
+#include "engine/solution/bindings.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
+
+// What marks of the mechanism move with, beyond the forms of holds.hpp: an arrow with two places as its direction
+// reaches from one to the other; a mark other than a stroke is stretched along its segment; a segment with a third name
+// is a bar with that force, of which its line says whether it is in tension; an arc with a radius (`beyond`) is that of
+// an angle, from the direction of x to that of its second place.
+
+inline Holds on_body(BodyIndex body) { return {Holds::Form::body, {std::to_string(body.number())}}; }
+inline Holds arrow_between(const std::string& from, const std::string& to) {
+    return {Holds::Form::arrow, {from, from, to}};
+}
+inline Holds between_ends(const SpringLoad& spring) {
+    return {Holds::Form::segment, {point_binding(spring.between[0]), point_binding(spring.between[1])}};
+}
 
 // Ground.
 

@@ -111,12 +111,14 @@ void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vecto
 }
 
 /// A cross at a centre of curvature that the file names and nothing else marks.
-void mark_centre(Sketch& sketch, const Rim& rim) {
+void mark_centre(Sketch& sketch, const Rim& rim, BodyIndex body) {
     for (const PointIndex point : indices_of(sketch.mechanism.points))
         if (sketch.subject.shows(point) && coincide(sketch.spot(point), rim.centre)) return;
     const double arm = std::min(2.2, 0.5 * rim.radius);
+    const std::size_t first = sketch.construction.size();
     for (const Spot along : {Spot{arm, 0}, Spot{0, arm}})
         sketch.construction.emplace_back(line(rim.centre - along, rim.centre + along, sketch.thin()));
+    hang(sketch.construction, first, on_body(body));
 }
 
 void draw_rim(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>& marks) {
@@ -136,7 +138,7 @@ void draw_rim(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>&
     marks.emplace_back(circle(rim.centre, rim.radius, edge));
     const double end = rim.radius - sketch.theme.vector / 2;
     const bool hubbed = rim.form == Rim::Form::wheel && draw_hub(sketch, rim, end, body, marks);
-    if (!hubbed) mark_centre(sketch, rim);
+    if (!hubbed) mark_centre(sketch, rim, body);
 }
 
 /// Circles under the frame's wall: the supported body may slide along it.
@@ -206,8 +208,12 @@ void draw_bare_contacts(Sketch& sketch, BodyIndex body) {
         const Spot at = sketch.spot(joint), tangent = sketch.subject.tangent(joint);
         if (body == frame && !is_gear)
             draw_bearing(sketch, joint, tangent);
-        else if (first && (is_gear || joint.bodies[1] != frame))
+        else if (first && (is_gear || joint.bodies[1] != frame)) {
             sketch.construction.emplace_back(line(at - 10.0 * tangent, at + 10.0 * tangent, sketch.axis()));
+            const JointIndex index = sketch.mechanism.index_of(joint);
+            hang(sketch.construction, sketch.construction.size() - 1,
+                 {Holds::Form::with, {point_binding(joint.point), tangent_binding(index)}});
+        }
     }
 }
 

@@ -579,6 +579,53 @@ test('a parameter that the page cannot follow is named with the reason, in both 
     quiet();
 });
 
+test('the sides of loops reach from body to body, and close', async () => {
+    await open(pageOf('slider_crank_long_crank'));
+    const varied = [];
+    for (const share of [0.35, 0.7]) {
+        const sides = await see(`kinegraph.moveTo(kinegraph.course.from + ${share} * (kinegraph.course.to - kinegraph.course.from)), (() => {
+            const view = kinegraph.figures.find(({info}) => info.name === 'loops');
+            return [...view.group.querySelectorAll('g.side')].map((side) => {
+                const {on} = holdOf(side), [a, b] = [view.held.place(on[0]), view.held.place(on[2])];
+                const tip = spotsOf(parsePath([...side.querySelectorAll('path')].find((each) => each.getAttribute('fill') !== 'none').getAttribute('d')))[0];
+                return {name: side.dataset.name, drawn: Number(side.dataset.value), length: apart(a, b) * view.scale, off: apart(tip, b), a, b,
+                    seen: getComputedStyle(side).visibility};
+            });
+        })()`);
+        assert.ok(sides.length >= 3);
+        for (const side of sides) assert.ok(side.off < 0.01 && side.seen === 'visible', JSON.stringify(side));
+        // Each end is one of another side; crank and rod keep their lengths.
+        const ends = sides.flatMap(({a, b}) => [a, b]);
+        for (const end of ends) assert.ok(ends.filter((each) => Math.hypot(each.x - end.x, each.y - end.y) < 0.01).length > 1);
+        assert.ok(sides.filter(({drawn, length}) => Math.abs(drawn - length) < 1e-9).length >= 2, JSON.stringify(sides));
+        varied.push(...sides.filter(({drawn, length}) => Math.abs(drawn - length) > 1e-3));
+    }
+    assert.ok(varied.length > 0);
+    quiet();
+});
+
+for (const [name, figure] of [['scara', 'moving-axes']]) {
+    test(`the vectors on moving axes of ${name} are those of the position`, async () => {
+        const path = pageOf(name);
+        await open(path);
+        const at = await see('kinegraph.course.samples[Math.floor(kinegraph.course.samples.length / 3)].at');
+        const other = join(folder, `${name}_at.html`);
+        run('solve', join(examples, `${name}.json`), '--at', `${at * 180 / Math.PI} deg`, '-o', other);
+        const wanted = Object.fromEntries([...readFileSync(other, 'utf8').matchAll(/<g[^>]*data-name="([va]_(?:rel|cor))"[^>]*data-value="([^"]*)"/g)]
+            .map(([, vector, value]) => [vector, Number(value)]));
+        const found = await see(`kinegraph.moveTo(${at}), (() => {
+            const view = kinegraph.figures.find(({info}) => info.name.startsWith('${figure}'));
+            return [...view.group.querySelectorAll('g.vector')].map((each) => {
+                const [a, b] = endsOf(each.querySelector('line.axis'));
+                return [each.dataset.name, apart(a, b) * Number(each.dataset.scale)];
+            });
+        })()`);
+        assert.ok(found.length >= 2);
+        for (const [vector, value] of found) assert.ok(Math.abs(value - wanted[vector]) < 1e-4 * Math.max(1, wanted[vector]), `${vector} ${value} ${wanted[vector]}`);
+        quiet();
+    });
+}
+
 test('velocities stand on the mechanism where it is', async () => {
     await open(pageOf('exam_2001'));
     const found = await see(`kinegraph.moveTo(0.15), (() => {
@@ -626,7 +673,7 @@ for (const [name, figures, at] of [
                 const told = (what, by) => by < 0.01 || wrong.push(view.id + ' ' + what + ' ' + by);
                 for (const node of view.group.querySelectorAll('[data-on]:not(.label)')) {
                     const {form, on} = holdOf(node), axis = node.querySelector(':scope > line.axis');
-                    if (form === 'arrow' && axis && seen(node)) {
+                    if (form === 'arrow' && on.length === 2 && axis && seen(node)) {
                         const [a, b] = endsOf(axis), {motion} = view, element = motion.held(on[1])[1], replay = motion.replays[motion.plan];
                         const along = {x: (b.x - a.x) * held.scale - replay.x(element), y: (a.y - b.y) * held.scale - replay.y(element)};
                         told(on[1], Math.hypot(along.x, along.y) / held.scale);
@@ -1026,6 +1073,88 @@ test('a structure without a driver has the values of its file with other loads',
     assert.ok(now.some((value, i) => Math.abs(value - first[i]) > 1000));
     given.toDrawn();
     assert.deepEqual(values(given), first);
+});
+
+for (const [name, which, turn] of [['beam', 0, 40], ['beam', 1, -75], ['truss_simple', 0, 130], ['four_force_body', 0, 25]]) {
+    test(`a load of ${name} that is turned by ${turn}° gives the values of the file with it turned`, () => {
+        const file = JSON.parse(readFileSync(join(examples, `${name}.json`), 'utf8')), load = file.loads[which];
+        const page = readPage(pageOf(name)), motion = new page.Motion(page.data.moving), {settings, columns} = motion.data;
+        const index = settings.findIndex(({given}) => given === which), {direction, value} = settings[index];
+        const unit = settings[index].size, to = direction + turn * Math.PI / 180, size = 1.5 * value;
+        for (const each of ['magnitude', 'along']) delete load[each];
+        load.value = [size * Math.cos(to) / unit, size * Math.sin(to) / unit];
+        const other = join(folder, `${name}_${which}_turned.json`);
+        writeFileSync(other, JSON.stringify(file));
+        const wanted = readPage(pageOf(`${name}_${which}_turned`, other)), there = new wanted.Motion(wanted.data.moving);
+        const put = (all, now) => all.map((each, i) => i === index ? now : each);
+        assert.ok(motion.give(put(motion.settings, size), put(motion.turns, to - direction)));
+        assert.ok(motion.plan >= 0, 'no program holds');
+        const most = Math.max(...columns.map((_, i) => Math.abs(motion.value(i) ?? 0)));
+        let compared = 0;
+        there.data.columns.forEach(({name: column}, i) => {
+            const k = columns.findIndex((each) => each.name === column);
+            if (k < 0) return;
+            ++compared;
+            assert.ok(Math.abs(motion.value(k) - there.value(i)) <= 1e-9 * most, `${column}: ${motion.value(k)}, ${there.value(i)}`);
+        });
+        assert.ok(compared >= 3, String(compared));
+        motion.toDrawn();
+        assert.ok(motion.isAsGiven && motion.plan === 0);
+    });
+}
+
+test('a load is dragged by its tip: it turns, and the polygon follows', async () => {
+    await open(pageOf('beam'));
+    const found = await see(`(() => {
+        const view = kinegraph.figures.find(({info}) => info.name === 'body-2'), [handle] = view.held.handles;
+        const screen = (at) => (({x, y}) => [x, y])(new DOMPoint(at.x, at.y).matrixTransform(view.svg.getScreenCTM()));
+        view.svg.scrollIntoView({block: 'center'});
+        const fixed = handle.at(), free = handle.free(), scale = handle.scale();
+        return {given: handle.given, from: screen(free), to: screen({x: fixed.x + 0.8 * (free.y - fixed.y), y: free.y}), scale,
+            by: {x: handle.sense * 0.8 * (free.y - fixed.y) * scale, y: -handle.sense * (free.y - fixed.y) * scale}};
+    })()`);
+    await tab.mouse.move(...found.from);
+    await tab.mouse.down();
+    await tab.mouse.move(...found.to);
+    await tab.mouse.up();
+    const now = await see(`(() => {
+        const {motion} = kinegraph, i = motion.turning(${found.given}), view = kinegraph.figures.find(({id}) => id === 'forces-2');
+        const angle = motion.data.settings[i].direction + motion.turns[i], [a, b] = view.vector(motion.data.settings[i].name);
+        return {x: motion.settings[i] * Math.cos(angle), y: motion.settings[i] * Math.sin(angle), plan: motion.plan,
+            drawn: {x: (b.x - a.x) * view.scale * view.held?.inUnit || (b.x - a.x) * view.scale, y: (a.y - b.y) * view.scale},
+            said: kinegraph.panel.directions.get(i).value};
+    })()`);
+    assert.ok(now.plan >= 0);
+    const size = Math.hypot(found.by.x, found.by.y);
+    assert.ok(Math.hypot(now.x - found.by.x, now.y - found.by.y) < 0.05 * size, JSON.stringify([found, now]));
+    assert.ok(Math.abs(now.drawn.x / now.drawn.y - now.x / now.y) < 1e-6, JSON.stringify(now));
+    assert.ok(Math.abs(Number(now.said) * Math.PI / 180 - Math.atan2(now.y, now.x)) < 1e-6);
+    quiet();
+});
+
+test('bars of a truss show tension and compression of the load as it is turned', async () => {
+    const file = JSON.parse(readFileSync(join(examples, 'truss_simple.json'), 'utf8')), other = join(folder, 'truss_turned.json');
+    file.loads[0].value = ['12 kN', 0];
+    writeFileSync(other, JSON.stringify(file));
+    const wanted = [...readFileSync(pageOf('truss_turned', other), 'utf8').matchAll(/<g class="bar"[^>]*data-name="(\w+)" data-value="([^"]*)"/g)];
+    await open(pageOf('truss_simple'));
+    const found = await see(`(() => {
+        const {motion} = kinegraph, view = kinegraph.figures.find(({info}) => info.name === 'truss');
+        const widths = () => [...view.group.querySelectorAll('g.bar')].map((bar) => [bar.dataset.name,
+            Number(bar.querySelector('[data-on]').getAttribute('stroke-width'))]);
+        const drawn = widths(), index = motion.data.settings.findIndex(({given}) => given === 0);
+        kinegraph.drive.turnLoad(index, motion.settings[index], Math.PI / 2);
+        return {drawn, now: widths(), plan: motion.plan, pens: motion.data.pens.map(([, width]) => width),
+            still: view.group.querySelectorAll('[data-on].still').length};
+    })()`);
+    assert.ok(found.plan >= 0 && found.now.length > 2);
+    assert.equal(found.still, 0);
+    assert.ok(found.now.some(([, width], i) => width !== found.drawn[i][1]));
+    for (const [bar, width] of found.now) {
+        const value = Number(wanted.find(([, name]) => name === bar)[2]), sense = Math.abs(value) < 1e-9 ? 0 : Math.sign(value);
+        assert.ok(Math.abs(width - found.pens[sense + 1]) < 1e-9, `${bar} ${value} ${width}`);
+    }
+    quiet();
 });
 
 for (const name of ['beam', 'sluice_gate', 'truss_simple']) {
