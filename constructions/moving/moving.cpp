@@ -226,7 +226,7 @@ private:
     }
     void change(Mechanism& mechanism, const MovingSetting& setting, const Change& by) const {
         const Exact size = Exact::from_double(by.size);
-        const Vector more{Exact::from_double(std::cos(by.more)), Exact::from_double(std::sin(by.more))};
+        const Vector more{Exact::from_double(nearest::cos(by.more)), Exact::from_double(nearest::sin(by.more))};
         const auto turned = [&](Vector vector) {
             for (int i = 0; i < by.quarters; ++i) vector = quarter_turn(vector);
             return by.more == 0 ? vector : faced(more, vector);

@@ -21,7 +21,7 @@ std::optional<MovingGiven> along(MovingGiven rule, const Bearing& bearing) {
     rule.ends = {ends->from, ends->to};
     return with(rule, Rule::between);
 }
-double direction_of(const Vector& vector) { return std::atan2(vector.y.to_double(), vector.x.to_double()); }
+double direction_of(const Vector& vector) { return nearest::atan2(vector.y.to_double(), vector.x.to_double()); }
 
 std::vector<MovingSetting> settings_of(const Mechanism& mechanism, const Pose& pose) {
     using Kind = MovingSetting::Kind;
