@@ -148,7 +148,12 @@ public:
         moving_.size = pose_.size.to_double();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
         moving_.settings = is_displaced_ ? std::vector<MovingSetting>{} : rules_.settings();
-        if (is_displaced_) return std::move(moving_);
+        if (is_displaced_) {
+            for (MovingPlan& plan : moving_.plans)
+                std::erase_if(plan.moving,
+                              [](const MovingGiven& each) { return each.rule == MovingGiven::Rule::setting; });
+            return std::move(moving_);
+        }
         for (MovingSetting& each : moving_.settings) {
             const bool is_speed = each.kind == MovingSetting::Kind::velocity;
             if (!is_speed && each.kind != MovingSetting::Kind::acceleration) continue;

@@ -106,8 +106,8 @@ export class Panel {
 
 /** @param {number} angle rad; the result between −180° and 180° */
 function degrees(angle) {
-    const whole = Number((angle * 180 / Math.PI).toFixed(9));
-    return ((whole + 180) % 360 + 360) % 360 - 180 || 0;
+    const whole = Number((angle * 180 / Math.PI).toFixed(5));
+    return Number((((whole + 180) % 360 + 360) % 360 - 180).toFixed(5)) || 0;
 }
 /** @param {number} value */
 function shortText(value) {

@@ -626,6 +626,25 @@ for (const [name, figure] of [['scara', 'moving-axes']]) {
     });
 }
 
+test('virtual displacements are the tangents of the ways of their points, of a mechanism that no driver of the file moves', async () => {
+    await open(pageOf('virtual_work'));
+    const found = await see(`(() => {
+        const {motion, course, figures} = kinegraph, view = figures.find(({info}) => info.name.startsWith('displacements'));
+        const at = course.from + 0.4 * (course.to - course.from), step = 1e-5;
+        return [...view.group.querySelectorAll('g.displacement')].map((arrow) => {
+            const point = Number(holdOf(arrow).on[0].slice(1)), place = (turn) => (kinegraph.moveTo(turn), motion.read.points[point]);
+            const [a, b] = [place(at - step), place(at + step)], {x, y} = (place(at), motion.displacement(point, 0));
+            const [tail, , tip] = holdOf(arrow).on.map((name) => view.held.place(name)), drawn = minus(tip, tail);
+            return {name: arrow.dataset.name, seen: getComputedStyle(arrow).visibility, size: Math.hypot(x, y),
+                off: Math.hypot((b.x - a.x) / (2 * step) - x, (b.y - a.y) / (2 * step) - y), lean: drawn.x * y + drawn.y * x};
+        });
+    })()`);
+    assert.ok(found.length >= 4);
+    for (const each of found) assert.ok(each.seen === 'visible' && each.off < 1e-6 * each.size && Math.abs(each.lean) < 1e-6 * each.size * 100,
+        JSON.stringify(each));
+    quiet();
+});
+
 test('velocities stand on the mechanism where it is', async () => {
     await open(pageOf('exam_2001'));
     const found = await see(`kinegraph.moveTo(0.15), (() => {
