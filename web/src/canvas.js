@@ -87,8 +87,18 @@ export class Canvas {
             const at = /** @type {Spot[]} */ (model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean));
             const inLine = at.length > 2 && isStraight(at);
             if (at.length > 1) this.add('bodies', pointer, look, symbols.link(inLine ? ends(at) : at));
-            if (at.length > 1 || body.circle) this.tag(body.name, look, tagPlace(at));
+            if (at.length > 1 || body.circle) this.tag(body.name, look, tagPlace(at, this.isBelow(body.name)));
         }
+    }
+    /**
+     * Whether the number of a body stands below its bar: where the arrow of its driver is above.
+     * @param {string} body
+     */
+    isBelow(body) {
+        const {model} = /** @type {Scene} */ (this.scene), driver = model.drivers.find(({form}) => String(form.body) === body);
+        const points = model.pointsOf(body), pivot = points.find((each) => model.isGround(each)) ?? points[0];
+        const at = this.spot(pivot ?? ''), tip = this.spot(points.find((each) => each !== pivot) ?? '');
+        return Boolean(driver && at && tip && !(parseFloat(driver.form.omega) < 0) === tip[0] >= at[0]);
     }
     /**
      * The number of a body in its circle.
@@ -214,13 +224,14 @@ function ends(at) {
 /**
  * Beside the middle of a bar, within a plate.
  * @param {Spot[]} at
+ * @param {boolean} isBelow
  * @returns {Spot}
  */
-function tagPlace(at) {
+function tagPlace(at, isBelow) {
     if (at.length === 0) return [-100, -100];
     const [a, b] = at.length > 1 ? ends(at) : [at[0], at[0]];
     if (at.length > 2 && !isStraight(at))
         return [at.reduce((sum, each) => sum + each[0], 0) / at.length, at.reduce((sum, each) => sum + each[1], 0) / at.length];
-    const length = distance(a, b) || 1, away = 24, sign = b[0] - a[0] < 0 ? 1 : -1;
+    const length = distance(a, b) || 1, away = 24, sign = (b[0] - a[0] < 0) !== isBelow ? 1 : -1;
     return [(a[0] + b[0]) / 2 - (sign * away * (b[1] - a[1])) / length, (a[1] + b[1]) / 2 + (sign * away * (b[0] - a[0])) / length];
 }

@@ -14,6 +14,8 @@ export class MechanismDocument {
          * @type {string | null}
          */
         this.base = null;
+        /** What was opened or saved last: the text is changed where it differs. */
+        this.kept = '';
         /** @type {Moment[]} */
         this.past = [];
         /** @type {Moment[]} */
@@ -47,6 +49,7 @@ export class MechanismDocument {
         this.joins = '';
         this.name = name;
         this.base = base;
+        this.kept = text;
         this.lastJson = null;
         this.take(text, null);
     }
@@ -89,8 +92,16 @@ export class MechanismDocument {
         this.joins = '';
         this.take(moment.text, moment.selection);
     }
+    /**
+     * The file on disk, or a copy that was taken away, has this text now.
+     * @param {string} text
+     */
+    saved(text) {
+        this.base = text;
+        this.kept = text;
+    }
     get isChanged() {
-        return this.text !== (this.base ?? '');
+        return this.text !== this.kept;
     }
     /**
      * @param {string} text

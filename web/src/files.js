@@ -99,12 +99,12 @@ export class Files {
         const {bench} = this, {text, base, name} = bench.document, {save} = bench.engine;
         if (!save || !this.isServed) {
             download(new Blob([text], {type: 'application/json'}), name.endsWith('.json') ? name : `${name}.json`);
-            bench.document.base = text;
+            bench.document.saved(text);
             return this.showName();
         }
         const answer = await save(text, base);
         if (answer.saved) {
-            bench.document.base = text;
+            bench.document.saved(text);
             this.say(word('saved', name));
         } else if ('text' in answer) {
             const keepMine = await this.ask(word('changed_elsewhere', name), word('overwrite'));
