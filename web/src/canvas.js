@@ -98,7 +98,12 @@ export class Canvas {
         const {model} = /** @type {Scene} */ (this.scene), driver = model.drivers.find(({form}) => String(form.body) === body);
         const points = model.pointsOf(body), pivot = points.find((each) => model.isGround(each)) ?? points[0];
         const at = this.spot(pivot ?? ''), tip = this.spot(points.find((each) => each !== pivot) ?? '');
-        return Boolean(driver && at && tip && !(parseFloat(driver.form.omega) < 0) === tip[0] >= at[0]);
+        if (driver && at && tip) return !(parseFloat(driver.form.omega) < 0) === tip[0] >= at[0];
+        // Beside a steep bar it stands on the outer side of the mechanism.
+        const both = points.map((each) => this.spot(each)).filter(Boolean), [a, b] = /** @type {Spot[]} */ (both);
+        if (both.length !== 2 || Math.abs(b[0] - a[0]) > Math.abs(b[1] - a[1])) return false;
+        const all = model.points.map(({name}) => this.spot(name)?.[0] ?? a[0]), middle = all.reduce((sum, each) => sum + each, 0) / all.length;
+        return (a[0] + b[0]) / 2 < middle === (b[1] - a[1]) * (b[0] - a[0]) >= 0;
     }
     /**
      * The number of a body in its circle.

@@ -89,7 +89,7 @@ function drawForce(canvas, form, pointer, at, point) {
     const taken = canvas.waysTaken(point, at), heads = turned + (sign < 0 ? Math.PI : 0);
     const room = (/** @type {number} */ way) => Math.min(3, ...taken.map((each) => gap(way, each)));
     // The arrow ends at the point, or begins there where bars are in the way.
-    const isPull = room(heads + Math.PI) < 0.4 && room(heads) > 0.4;
+    const isPull = room(heads + Math.PI) < 0.7 && room(heads) > 0.7;
     const along = (/** @type {number} */ away) => /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
     const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)], end = isPull ? along(length + 6) : along(-length - 6);
     canvas.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load'));
