@@ -75,6 +75,29 @@ TEST(PublicFace, EvaluatesExpressions) {
     EXPECT_EQ(found.evaluate("omega 3 +").error().front().kind, Diagnostic::Kind::bad_input);
 }
 
+TEST(PublicFace, PlacesPointsAndDirectionsWithoutSolving) {
+    const auto file = MechanismFile::parse(R"({"kinegraph": 1, "units": {"length": "mm"}, "points": {"A": ["3 cm", 40],
+        "B": {"from": "A", "to": "O", "ratio": 2}, "O": [0, 0]}, "bodies": {"2": ["O", "A", "B"], "3": ["A"]}, "joints": [
+        {"revolute": "O", "bodies": [0, 2]}, {"prismatic": "A", "bodies": [3, 2], "along": ["O", "A"]}],
+        "loads": [{"force": "F", "body": 2, "at": "B", "value": [0, -1]}, {"couple": "M", "body": 2, "value": 1}],
+        "drivers": [{"body": 2, "at": "A", "along": 90, "speed": 1}]})",
+                                           "file");
+    ASSERT_TRUE(file);
+    const auto drawn = file->drawn_position();
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(drawn->length_unit, "mm");
+    EXPECT_EQ(drawn->metres, 0.001);
+    ASSERT_EQ(drawn->points.size(), 3U);
+    EXPECT_EQ(drawn->points[1].name, "B");
+    EXPECT_EQ(drawn->points[1].at, (std::array<double, 2>{-30, -40}));
+    std::map<std::string, double> angles;
+    for (const DrawnPosition::Direction& each : drawn->directions) angles[each.place] = each.angle;
+    ASSERT_EQ(angles.size(), 3U);
+    EXPECT_DOUBLE_EQ(angles["/joints/1"], std::atan2(4, 3));
+    EXPECT_DOUBLE_EQ(angles["/loads/0"], std::atan2(-1, 0));
+    EXPECT_DOUBLE_EQ(angles["/drivers/0"], std::atan2(1, 0));
+}
+
 TEST(PublicFace, GivesEveryValueUnderItsName) {
     const Solved found = solved(slider_crank);
     const std::vector<ResultValue> all = found.values();
