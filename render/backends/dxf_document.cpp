@@ -118,7 +118,7 @@ void DxfPairs::put_handle(int code, std::uint64_t handle) {
     char* const end = std::to_chars(text.data(), text.data() + text.size(), handle, 16).ptr;
     std::transform(text.data(), end, text.data(),
                    [](char c) { return c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c; });
-    put(code, std::string_view(text.data(), end));
+    put(code, std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
 }
 void DxfPairs::put_point(int code, Spot at) {
     put(code, at.x);

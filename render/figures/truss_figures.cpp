@@ -83,8 +83,7 @@ public:
             set_text(figure.marks, std::move(shaped), at, context_.theme.secondary, "text");
             at.x += width + between;
         }
-        if (figure.marks.size() > first)
-            figure.box.include(box_of({figure.marks.begin() + static_cast<std::ptrdiff_t>(first), figure.marks.end()}));
+        if (figure.marks.size() > first) figure.box.include(box_of(std::span<const Mark>(figure.marks).subspan(first)));
     }
 
 private:
