@@ -63,7 +63,7 @@ build_gmp() {
             logged gmp make fac_table.h fib_table.h mpn/fib_table.c mp_bases.h mpn/mp_bases.c \
                 trialdivtab.h mpn/jacobitab.h mpn/perfsqr.h &&
             cp gmp.h "$gmp/gmpxx.h" "$prefix/include" &&
-            { ls mpn/*.c && ls "$gmp"/mp[zq]/*.c && (cd "$gmp" && for name in assert compat errno extract-dbl invalid \
+            { ls mpn/*.c && ls "$gmp"/mp[zqf]/*.c && (cd "$gmp" && for name in assert compat errno extract-dbl invalid \
                 memory mp_bpl mp_clz_tab mp_dv_tab mp_minv_tab mp_get_fns mp_set_fns nextprime primesieve tal-reent \
                 version; do echo "$gmp/$name.c"; done); } |
             archive_c gmp -DHAVE_CONFIG_H -D__GMP_WITHIN_GMP -I. "-I$gmp" "-I$gmp/mpn"

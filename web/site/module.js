@@ -35,7 +35,7 @@ export async function openModule(compiled) {
     };
     const instance = await WebAssembly.instantiate(compiled, {
         wasi_snapshot_preview1: wasi,
-        env: {emscripten_notify_memory_growth: () => {}},
+        env: {emscripten_notify_memory_growth: () => {}, __call_sighandler: () => {}},
     });
     const of = /** @type {any} */ (instance.exports);
     of._initialize?.();
