@@ -58,7 +58,7 @@ public:
     std::string add(const std::string& name, const std::string& id, std::vector<Words>& remarks) {
         const std::string wanted = name.empty() ? id : name;
         std::string taken = add(wanted);
-        if (taken != wanted) remarks.push_back({lang::imports::is_called_here, quoted(wanted), quoted(taken)});
+        if (taken != wanted) remarks.emplace_back(lang::imports::is_called_here, quoted(wanted), quoted(taken));
         return taken;
     }
     std::string add(const std::string& wanted) {
@@ -142,7 +142,7 @@ private:
                 body_of_.emplace(id, body);
                 parts += (parts.empty() ? "" : ", ") + (links[id]->name.empty() ? id : links[id]->name);
             }
-            if (!parts.empty()) remarks_.push_back({lang::imports::are_one_body, parts, bodies_[body].name});
+            if (!parts.empty()) remarks_.emplace_back(lang::imports::are_one_body, parts, bodies_[body].name);
         }
         at_joint_.resize(points_.size());
         for (std::size_t body = 1; body < bodies_.size(); ++body)
@@ -174,8 +174,8 @@ private:
             const bool is_used = std::any_of(
                 pins.begin(), pins.end(), [&](std::size_t pin) { return lines.contains(pin) || pin == a || pin == b; });
             const bool stays = off > rounding || is_used || moved.contains(a) || moved.contains(b);
-            remarks_.push_back({stays ? lang::imports::lies_off_its_slot : lang::imports::was_put_on_its_slot,
-                                points_[i].name, length_words(off / 1000), points_[a].name, points_[b].name});
+            remarks_.emplace_back(stays ? lang::imports::lies_off_its_slot : lang::imports::was_put_on_its_slot,
+                                  points_[i].name, length_words(off / 1000), points_[a].name, points_[b].name);
             if (stays) continue;
             lines.insert({a, b});
             moved.insert(pins.begin(), pins.end());
@@ -216,7 +216,7 @@ private:
         } else {
             if (bodies.size() > 1) connect(i, bodies, joint.is_welded);
             if (joint.is_ground && bodies.size() == 1)
-                remarks_.push_back({lang::imports::joins_nothing, points_[i].name});
+                remarks_.emplace_back(lang::imports::joins_nothing, points_[i].name);
             if (joint.is_input) add_turning_driver(i, bodies);
         }
     }
@@ -229,13 +229,16 @@ private:
         const PmksJoint& joint = drawing_.joints[i];
         const std::size_t carrier = has_slot(joint) ? body_of_[joint.carrier] : frame_body;
         std::erase(bodies, carrier);
-        if (bodies.empty()) return remarks_.push_back({lang::imports::joins_nothing, points_[i].name});
+        if (bodies.empty()) {
+            remarks_.emplace_back(lang::imports::joins_nothing, points_[i].name);
+            return;
+        }
         const std::string along = has_slot(joint) ? '[' + point_name(joint_of_[joint.slot_a]) + ", " +
                                                         point_name(joint_of_[joint.slot_b]) + ']'
                                                   : '"' + guide_angle(i) + '"';
         add_pair("prismatic", i, {bodies[0], carrier}, ", \"along\": " + along);
         if (bodies.size() > 1) {
-            remarks_.push_back({lang::imports::several_slide, points_[i].name, bodies_[bodies[0]].name});
+            remarks_.emplace_back(lang::imports::several_slide, points_[i].name, bodies_[bodies[0]].name);
             const std::string name = point_names_.add(points_[i].name + "_pin");
             joints_.push_back("{\"" + std::string(joint.is_welded ? "weld" : "revolute") + "\": " + point_name(i) +
                               ", \"bodies\": " + names_of({bodies[0], bodies[1]}) + ", \"name\": " + json_text(name) +
@@ -248,21 +251,23 @@ private:
         const Thousandths angle = drawing_.joints[i].angle;
         const double degrees = std::round(static_cast<double>(angle) / 1000 * 180 / std::numbers::pi);
         const double difference = degrees * std::numbers::pi / 180 * 1000 - static_cast<double>(angle);
-        const std::string radians = decimal(angle) + " rad";
+        std::string radians = decimal(angle) + " rad";
         if (std::abs(difference) > 0.5) return radians;
-        const std::string whole = std::to_string(static_cast<std::int64_t>(degrees)) + "°";
+        std::string whole = std::to_string(static_cast<std::int64_t>(degrees)) + "°";
         if (angle != 0)
-            remarks_.push_back(
-                {lang::imports::angle_is_taken_as, points_[i].name, decimal_words(radians), decimal_words(whole)});
+            remarks_.emplace_back(lang::imports::angle_is_taken_as, points_[i].name, decimal_words(radians),
+                                  decimal_words(whole));
         return whole;
     }
 
     void add_turning_driver(std::size_t i, const std::vector<std::size_t>& bodies) {
         const PmksJoint& joint = drawing_.joints[i];
-        if (bodies.size() < 2 || joint.is_welded)
-            return remarks_.push_back({lang::imports::moves_nothing, points_[i].name});
+        if (bodies.size() < 2 || joint.is_welded) {
+            remarks_.emplace_back(lang::imports::moves_nothing, points_[i].name);
+            return;
+        }
         if (bodies.size() > 2)
-            remarks_.push_back({lang::imports::which_body_turns, points_[i].name, bodies_[bodies[1]].name});
+            remarks_.emplace_back(lang::imports::which_body_turns, points_[i].name, bodies_[bodies[1]].name);
         const Thousandths general = drawing_.input_speed * 1000 * (drawing_.turns_clockwise ? -1 : 1);
         const Thousandths speed = joint.speed.value_or(0) != 0 ? *joint.speed : general;
         inputs_.push_back({bodies[0], bodies[1], {}});
@@ -275,8 +280,8 @@ private:
         constexpr Thousandths usual = 5000;
         const bool is_own = joint.speed.value_or(0) != 0;
         if (!is_own && !drawing_.slider_speed)
-            remarks_.push_back({lang::imports::slider_has_no_speed, points_[i].name,
-                                decimal_words(decimal(usual) + ' ' + units_.speed)});
+            remarks_.emplace_back(lang::imports::slider_has_no_speed, points_[i].name,
+                                  decimal_words(decimal(usual) + ' ' + units_.speed));
         const Thousandths general = drawing_.slider_speed.value_or(usual) * (drawing_.turns_clockwise ? -1 : 1);
         const Thousandths speed = is_own ? *joint.speed : general;
         inputs_.push_back({carrier, rider, points_[i].name});
@@ -297,7 +302,7 @@ private:
             const PmksLink& link = *bodies_[body].link;
             if (link.mass == 0 && link.inertia == 0) continue;
             if (link.mass < 0 || link.inertia < 0 || (link.is_piston && bodies_[body].points.empty())) {
-                remarks_.push_back({lang::imports::mass_is_left_out, bodies_[body].name});
+                remarks_.emplace_back(lang::imports::mass_is_left_out, bodies_[body].name);
                 continue;
             }
             const std::size_t centre = link.is_piston
@@ -317,7 +322,7 @@ private:
             const Thousandths dx = sense * (force.to_x - force.from_x), dy = sense * (force.to_y - force.from_y);
             const auto found = body_of_.find(force.link);
             if (found == body_of_.end() || (dx == 0 && dy == 0)) {
-                remarks_.push_back({lang::imports::force_is_left_out, name});
+                remarks_.emplace_back(lang::imports::force_is_left_out, name);
                 continue;
             }
             const std::size_t body = found->second, at = point_at(body, force.from_x, force.from_y, "P_" + name);
@@ -331,7 +336,7 @@ private:
                              ", \"along\": " + along + '}');
         }
         if (drawing_.forces_in_pounds != units_.in_pounds && !loads_.empty())
-            remarks_.push_back({lang::imports::forces_are_in, std::string(units_.length), std::string(units_.force)});
+            remarks_.emplace_back(lang::imports::forces_are_in, std::string(units_.length), std::string(units_.force));
     }
     /// An input that forces act against has a couple or a force of its own.
     void add_efforts() {
@@ -358,11 +363,11 @@ private:
              {Kind{left.locks, lang::imports::locks_left_out}, Kind{left.anchors, lang::imports::anchors_left_out},
               Kind{left.poses, lang::imports::synthesis_left_out}, Kind{left.colours, lang::imports::colours_left_out},
               Kind{left.unknown, lang::imports::entries_left_out}})
-            if (each.count > 0) remarks_.push_back({each.remark});
+            if (each.count > 0) remarks_.emplace_back(each.remark);
         for (const PmksLink& each : drawing_.links)
             if (each.is_part && !body_of_.contains(each.id))
-                remarks_.push_back({lang::imports::part_is_left_out, each.name.empty() ? each.id : each.name});
-        remarks_.push_back({lang::imports::look_is_left_out});
+                remarks_.emplace_back(lang::imports::part_is_left_out, each.name.empty() ? each.id : each.name);
+        remarks_.emplace_back(lang::imports::look_is_left_out);
     }
 
     /// Where the drawing is too small for it, the reader would refuse a precision of half a thousandth.
