@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
@@ -24,13 +25,10 @@ std::vector<std::string> encoding(FilmKind kind) {
         case FilmKind::gif: break;
     }
     // A palette for each picture, so that no more than one is in memory.
-    return {"-filter_complex",
-            "[0:v]split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none:"
-            "diff_mode=rectangle",
-            "-loop",
-            "0",
-            "-f",
-            "gif"};
+    const std::string palettes =
+        "[0:v]split[a][b];[a]palettegen=stats_mode=single[p];"
+        "[b][p]paletteuse=new=1:dither=none:diff_mode=rectangle";
+    return {"-filter_complex", palettes, "-loop", "0", "-f", "gif"};
 }
 
 /// "00:01:02.400"
@@ -68,7 +66,7 @@ int reading_frames(std::string_view words, int rate) {
     constexpr double first_look = 1.5, letters_a_second = 15, least = 2, most = 15;
     const auto letters = std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; });
     const double seconds = std::clamp(first_look + static_cast<double>(letters) / letters_a_second, least, most);
-    return static_cast<int>(seconds * rate + 0.5);
+    return static_cast<int>(std::lround(seconds * rate));
 }
 
 tl::expected<std::string, Words> film_of(const std::vector<Shot>& shots, int rate, FilmKind kind) {
@@ -103,7 +101,7 @@ tl::expected<std::string, Words> film_of(const std::vector<Shot>& shots, int rat
     if (answer->status == 0 && !answer->output.empty()) return std::move(answer->output);
     std::string why = answer->messages.substr(0, answer->messages.find('\n'));
     if (why.empty()) return tl::unexpected(Words(lang::command_line::ffmpeg_needed_too_much));
-    return tl::unexpected(Words(lang::command_line::ffmpeg_made_no_film, std::move(why)));
+    return tl::unexpected(Words(lang::command_line::ffmpeg_made_no_film, why));
 }
 
 std::string captions_of(const std::vector<Shot>& shots, int rate) {
