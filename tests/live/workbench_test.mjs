@@ -387,6 +387,7 @@ test('an example is chosen by its picture; what is shown is taken away as SVG, P
     assert.equal(await card.count(), 1);
     await card.locator('img').waitFor();
     await card.click();
+    await until('workbench.document.name === "whitworth.json"');  // it is fetched first
     await settled();
     assert.equal(await text(), exampleText('whitworth.json'));
     const taken = async (kind) => {
