@@ -1,5 +1,5 @@
-// node web/site.mjs MODULE SITE: makes the folder of the static site: the workbench's page (web/src) with WebAssembly as
-// its engine (web/site), the examples, and a list of all files for use without a network.
+// node web/site.mjs MODULE SITE: makes the folder of the static site: the workbench's page (web/src) with
+// WebAssembly as its engine (web/site), the examples, and a list of all files for use without a network.
 import {createHash} from 'node:crypto';
 import {cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
@@ -22,8 +22,11 @@ function replaced(text, by) {
     return text;
 }
 /** Files below a folder, by their paths within it. */
-const below = (/** @type {string} */ folder) => readdirSync(folder, {recursive: true, withFileTypes: true})
-    .filter((each) => each.isFile()).map((each) => join(each.parentPath ?? each.path, each.name).slice(folder.length + 1)).sort();
+const below = (/** @type {string} */ folder) =>
+    readdirSync(folder, {recursive: true, withFileTypes: true})
+        .filter((each) => each.isFile())
+        .map((each) => join(each.parentPath ?? each.path, each.name).slice(folder.length + 1))
+        .sort();
 
 rmSync(site, {recursive: true, force: true});
 mkdirSync(site, {recursive: true});
@@ -35,15 +38,22 @@ cpSync(module, join(site, 'kinegraph.wasm'));
 // A frame with the live page inherits the policy of this one, so its script and style are named here.
 const answer = await openModule(await WebAssembly.compile(readFileSync(module)));
 const {policy} = JSON.parse(answer(JSON.stringify({text: '', name: '', want: ['policy']})));
-writeFileSync(join(site, 'index.html'), replaced(readFileSync(join(site, 'index.html'), 'utf8'), {
-    '{language}': 'en',
-    'data-engine="served"': 'data-engine="worker"',
-    "script-src 'self' {script};": `script-src 'self' 'wasm-unsafe-eval' ${policy.script}; worker-src 'self'; manifest-src 'self';`,
-    '{style}': policy.style,
-    '<link rel="stylesheet" href="style.css">': '<link rel="manifest" href="manifest.webmanifest">\n<link rel="stylesheet" href="style.css">',
-}));
+writeFileSync(
+    join(site, 'index.html'),
+    replaced(readFileSync(join(site, 'index.html'), 'utf8'), {
+        '{language}': 'en',
+        'data-engine="served"': 'data-engine="worker"',
+        "script-src 'self' {script};": 
+            `script-src 'self' 'wasm-unsafe-eval' ${policy.script}; worker-src 'self'; manifest-src 'self';`,
+        '{style}': policy.style,
+        '<link rel="stylesheet" href="style.css">':
+            '<link rel="manifest" href="manifest.webmanifest">\n<link rel="stylesheet" href="style.css">'
+    })
+);
 
-const examples = below(join(top, 'examples')).filter((path) => /^([a-z_]+\/)?[a-z0-9_]+\.json$/.test(path)).map((path) => `examples/${path}`);
+const examples = below(join(top, 'examples'))
+    .filter((path) => /^([a-z_]+\/)?[a-z0-9_]+\.json$/.test(path))
+    .map((path) => `examples/${path}`);
 /** @type {{path: string, title: any}[]} */
 const listed = [];
 for (const path of examples) {

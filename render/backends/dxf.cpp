@@ -406,18 +406,7 @@ private:
 
     /// Fills the outline of a letter.
     void outline(const TextMark& mark, const Glyph& glyph, Colour colour, std::string_view layer) {
-        const auto at = [&](Spot em) { return turned(mark, glyph.origin + glyph.size * Spot{em.x, -em.y}); };
-        Path path;
-        path.filled = true;
-        path.fill = colour;
-        for (const Segment& segment : glyphs_.outline(glyph.face, glyph.index).segments) {
-            if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
-            if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
-            if (const auto* c = std::get_if<CurveTo>(&segment))
-                path.segments.emplace_back(CurveTo{at(c->control_1), at(c->control_2), at(c->to)});
-            if (std::holds_alternative<Close>(segment)) path.segments.emplace_back(Close{});
-        }
-        write(path, layer);
+        write(filled_glyph(mark, glyph, glyphs_.outline(glyph.face, glyph.index), colour), layer);
     }
 
     void text_entity(const TextMark& mark, const Words& words, std::string_view layer) {

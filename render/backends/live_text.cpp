@@ -170,4 +170,19 @@ Spot turned(const TextMark& mark, Spot spot) {
     return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
 }
 
+Path filled_glyph(const TextMark& mark, const Glyph& glyph, const Outline& outline, Colour colour) {
+    const auto at = [&](Spot em) { return turned(mark, glyph.origin + glyph.size * Spot{em.x, -em.y}); };
+    Path path;
+    path.filled = true;
+    path.fill = colour;
+    for (const Segment& segment : outline.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
+        if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
+        if (const auto* c = std::get_if<CurveTo>(&segment))
+            path.segments.emplace_back(CurveTo{at(c->control_1), at(c->control_2), at(c->to)});
+        if (std::holds_alternative<Close>(segment)) path.segments.emplace_back(Close{});
+    }
+    return path;
+}
+
 }  // namespace kinegraph::render

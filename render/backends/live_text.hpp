@@ -53,5 +53,7 @@ double width_of(const Outline& outline);
 
 /// The position on paper of a spot of a text that is not turned yet.
 Spot turned(const TextMark& mark, Spot spot);
+/// The outline of a glyph of a text where it stands on paper, filled.
+Path filled_glyph(const TextMark& mark, const Glyph& glyph, const Outline& outline, Colour colour);
 
 }  // namespace kinegraph::render

@@ -414,20 +414,7 @@ private:
             for (const Letter& letter : run.letters) {
                 const Glyph& glyph = letter.glyph;
                 if (!is_on_the_page(turned(*line.first, glyph.origin), 2 * glyph.size)) continue;
-                Path path;
-                path.filled = true;
-                path.fill = run.colour;
-                const auto at = [&](Spot em) {
-                    return turned(*line.first, glyph.origin + glyph.size * Spot{em.x, -em.y});
-                };
-                for (const Segment& segment : glyphs_.outline(glyph.face, glyph.index).segments) {
-                    if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
-                    if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
-                    if (const auto* c = std::get_if<CurveTo>(&segment))
-                        path.segments.emplace_back(CurveTo{at(c->control_1), at(c->control_2), at(c->to)});
-                    if (std::holds_alternative<Close>(segment)) path.segments.emplace_back(Close{});
-                }
-                write(path);
+                write(filled_glyph(*line.first, glyph, glyphs_.outline(glyph.face, glyph.index), run.colour));
             }
         }
         for (const TextMark* mark : line.marks) {

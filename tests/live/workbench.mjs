@@ -57,7 +57,13 @@ export async function fill(id, value) {
 /** Moves the cross of the canvas to a place by the arrow keys. */
 export async function crossTo([x, y]) {
     const grid = await run('workbench.view.grid');
-    const [fromX, fromY] = await run('workbench.cursor?.at ?? workbench.view.toPlane([workbench.view.width / 2, workbench.view.height / 2])');
-    const steps = (from, to, less, more) => Array.from({length: Math.abs(Math.round(to / grid) - Math.round(from / grid))}, () => (to < from ? less : more));
-    for (const key of [...steps(fromX, x, 'ArrowLeft', 'ArrowRight'), ...steps(fromY, y, 'ArrowDown', 'ArrowUp')]) await page.keyboard.press(key);
+    const [fromX, fromY] = await run(
+        'workbench.cursor?.at ?? workbench.view.toPlane([workbench.view.width / 2, workbench.view.height / 2])'
+    );
+    const steps = (from, to, less, more) =>
+        Array.from({length: Math.abs(Math.round(to / grid) - Math.round(from / grid))}, () =>
+            to < from ? less : more
+        );
+    for (const key of [...steps(fromX, x, 'ArrowLeft', 'ArrowRight'), ...steps(fromY, y, 'ArrowDown', 'ArrowUp')])
+        await page.keyboard.press(key);
 }

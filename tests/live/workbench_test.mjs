@@ -1,5 +1,5 @@
-// The workbench in Chromium: mechanisms are built by mouse, by keyboard alone and by touch; what is saved is what was drawn.
-// node workbench_test.mjs PROGRAM EXAMPLES
+// The workbench in Chromium: mechanisms are built by mouse, by keyboard alone and by touch; what is saved is what
+// was drawn. node workbench_test.mjs PROGRAM EXAMPLES
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
@@ -9,7 +9,22 @@ import {join} from 'node:path';
 import {after, before, beforeEach, test} from 'node:test';
 import {deflateRawSync} from 'node:zlib';
 import {close, messages, open, page, protocol, run} from './browser.mjs';
-import {cleanUp, clickAt, crossTo, dragFromTo, file, fill, folder, onScreen, ready, serve, settled, text, tool, until} from './workbench.mjs';
+import {
+    cleanUp,
+    clickAt,
+    crossTo,
+    dragFromTo,
+    file,
+    fill,
+    folder,
+    onScreen,
+    ready,
+    serve,
+    settled,
+    text,
+    tool,
+    until
+} from './workbench.mjs';
 
 const [program, examples] = process.argv.slice(2);
 const path = join(folder, 'drawn.json'), exampleText = (name) => readFileSync(join(examples, name), 'utf8');
@@ -34,15 +49,23 @@ const save = async () => {
     await page.keyboard.press('Control+s');
     await until('!workbench.document.isChanged');
 };
-const solved = (name) => JSON.parse(execFileSync(program, ['solve', name, '--format', 'json', '-o', '-'], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
+const solved = (name) =>
+    JSON.parse(
+        execFileSync(program, ['solve', name, '--format', 'json', '-o', '-'], {
+            encoding: 'utf8',
+            stdio: ['ignore', 'pipe', 'ignore']
+        })
+    );
 /** The results of two files whose points and bodies have other names but the same order. */
 function assertSameMotion(one, other) {
-    const near = (a, b, what) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${what}: ${a} instead of ${b}`);
+    const near = (a, b, what) =>
+        assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${what}: ${a} instead of ${b}`);
     for (const key of ['points', 'bodies']) {
         const [left, right] = [one, other].map((each) => Object.entries(each[key]));
         assert.equal(left.length, right.length);
         for (const [name, values] of left)
-            for (const [what, value] of Object.entries(values)) [value].flat().forEach((each, i) => near(each, [other[key][name][what]].flat()[i], `${name} ${what}`));
+            for (const [what, value] of Object.entries(values))
+                [value].flat().forEach((each, i) => near(each, [other[key][name][what]].flat()[i], `${name} ${what}`));
     }
 }
 
@@ -118,7 +141,9 @@ test('a four-bar is built by keyboard alone', async () => {
     await page.keyboard.press('v');
     await crossTo([100, 70]);
     await page.keyboard.press('Enter');
-    const before_ = await run('workbench.spots'), name = (await run('workbench.selection')).split('/')[2], grid = await run('workbench.view.grid');
+    const before_ = await run('workbench.spots'),
+        name = (await run('workbench.selection')).split('/')[2],
+        grid = await run('workbench.view.grid');
     await page.keyboard.press('ArrowRight');
     await settled();
     assert.ok(Math.abs((await run('workbench.spots'))[name][0] - before_[name][0] - grid) < 1e-9);
@@ -208,9 +233,19 @@ test('by touch: points are placed, two fingers zoom', async () => {
     await page.locator('[data-tool=link]').tap();
     for (const at of [[-80, 0], [0, 60], [80, 0]]) await page.touchscreen.tap(...await onScreen(at));
     assert.equal(Object.keys((await file()).bodies).length, 2);
-    const scale = await run('workbench.view.scale'), [x, y] = await onScreen([0, 0]);
-    const touch = (type, gap) => protocol.send('Input.dispatchTouchEvent', {type, touchPoints: type === 'touchEnd' ? [] :
-        [{x: x - gap, y, id: 1}, {x: x + gap, y, id: 2}]});
+    const scale = await run('workbench.view.scale'),
+        [x, y] = await onScreen([0, 0]);
+    const touch = (type, gap) =>
+        protocol.send('Input.dispatchTouchEvent', {
+            type,
+            touchPoints:
+                type === 'touchEnd'
+                    ? []
+                    : [
+                          {x: x - gap, y, id: 1},
+                          {x: x + gap, y, id: 2}
+                      ]
+        });
     await touch('touchStart', 30);
     for (const gap of [40, 50, 60]) await touch('touchMove', gap);
     await touch('touchEnd', 0);
@@ -277,7 +312,8 @@ test('a file that was changed elsewhere is not written over unasked', async () =
 
 test('every example opens, shows no word of the page, and is unchanged when saved', async () => {
     await begin();
-    const all = readdirSync(examples, {recursive: true}).filter((each) => each.endsWith('.json') && statSync(join(examples, each)).isFile())
+    const all = readdirSync(examples, {recursive: true})
+        .filter((each) => each.endsWith('.json') && statSync(join(examples, each)).isFile())
         .filter((each) => 'kinegraph' in JSON.parse(exampleText(each)));
     assert.ok(all.length > 80);
     const listed = (await run(`fetch('examples.json').then((each) => each.json())`)).map((each) => each.path);
@@ -292,7 +328,15 @@ test('every example opens, shows no word of the page, and is unchanged when save
         // The file of a cam is for another command.
         if (!('cam' in JSON.parse(given))) assert.deepEqual(faults, [], each);
         const points = Object.keys(JSON.parse(given).points ?? {});
-        if (points.length > 0) assert.equal(await page.evaluate((name) => document.querySelectorAll(`[data-of="/points/${CSS.escape(name)}"]`).length > 0, points[0]), true, each);
+        if (points.length > 0)
+            assert.equal(
+                await page.evaluate(
+                    (name) => document.querySelectorAll(`[data-of="/points/${CSS.escape(name)}"]`).length > 0,
+                    points[0]
+                ),
+                true,
+                each
+            );
     }
     assert.deepEqual(messages, []);
 });
@@ -306,13 +350,25 @@ test('a link opens what it holds; a hostile one is said and does no harm', async
     };
     await visit(linkOf(exampleText('slider_crank.json')));
     assert.equal(await text(), exampleText('slider_crank.json'));
-    const bad = [linkOf(' '.repeat(5e7)), '#m=AAAA', '#m=not~deflate', `#m=${'A'.repeat(600000)}`, linkOf(Buffer.from([0xff, 0xfe, 0xfd]))];
+    const bad = [
+        linkOf(' '.repeat(5e7)),
+        '#m=AAAA',
+        '#m=not~deflate',
+        `#m=${'A'.repeat(600000)}`,
+        linkOf(Buffer.from([0xff, 0xfe, 0xfd]))
+    ];
     for (const each of bad) {
         await visit(each);
         assert.match(await page.locator('#notice').textContent(), /holds no mechanism/);
         assert.equal(JSON.parse(await text()).title, 'Untitled mechanism');
     }
-    for (const each of ['['.repeat(300000), '{"points": {"<b>": [0, 0]}, "title": "</script><script>alert(1)</script>"}', '{"__proto__": {"a": 1}, "points": {"__proto__": [0, 0]}}', '[]', '1']) {
+    for (const each of [
+        '['.repeat(300000),
+        '{"points": {"<b>": [0, 0]}, "title": "</script><script>alert(1)</script>"}',
+        '{"__proto__": {"a": 1}, "points": {"__proto__": [0, 0]}}',
+        '[]',
+        '1'
+    ]) {
         await visit(linkOf(each));
         await settled();
         assert.equal(await text(), each);
@@ -324,37 +380,55 @@ test('a link opens what it holds; a hostile one is said and does no harm', async
 test('it serves its page and its parts alone, to this machine alone, and takes requests of bounded size', async () => {
     writeFileSync(path, exampleText('four_bar.json'));
     writeFileSync(join(folder, 'secret.json'), '{}');
-    const {port, pathname} = new URL(address), host = `Host: 127.0.0.1:${port}\r\n`;
-    const ask = (bytes) => new Promise((resolve) => {
-        const socket = net.connect(Number(port), '127.0.0.1', () => socket.write(bytes));
-        let heard = '';
-        socket.on('data', (data) => (heard += data));
-        socket.on('error', () => resolve(heard));
-        socket.on('close', () => resolve(heard));
-    });
-    const post = (target, body, more = '') => `POST ${target} HTTP/1.1\r\n${host}${more}Content-Length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
+    const {port, pathname} = new URL(address),
+        host = `Host: 127.0.0.1:${port}\r\n`;
+    const ask = (bytes) =>
+        new Promise((resolve) => {
+            const socket = net.connect(Number(port), '127.0.0.1', () => socket.write(bytes));
+            let heard = '';
+            socket.on('data', (data) => (heard += data));
+            socket.on('error', () => resolve(heard));
+            socket.on('close', () => resolve(heard));
+        });
+    const post = (target, body, more = '') =>
+        `POST ${target} HTTP/1.1\r\n${host}${more}Content-Length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
     const cases = [
-        [`GET ${pathname} HTTP/1.1\r\n${host}\r\n`, 200], [`GET ${pathname}main.js HTTP/1.1\r\n${host}\r\n`, 200],
-        [`GET ${pathname}examples/four_bar.json HTTP/1.1\r\n${host}\r\n`, 200], [`GET / HTTP/1.1\r\n${host}\r\n`, 404],
-        [`GET ${pathname}secret.json HTTP/1.1\r\n${host}\r\n`, 404], [`GET ${pathname}../secret.json HTTP/1.1\r\n${host}\r\n`, 404],
-        [`GET ${pathname}examples/../main.js HTTP/1.1\r\n${host}\r\n`, 404], [`GET ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 405],
-        [post(`${pathname}main.js`, '{}'), 405], [post('/answer', '{}'), 404],
+        [`GET ${pathname} HTTP/1.1\r\n${host}\r\n`, 200],
+        [`GET ${pathname}main.js HTTP/1.1\r\n${host}\r\n`, 200],
+        [`GET ${pathname}examples/four_bar.json HTTP/1.1\r\n${host}\r\n`, 200],
+        [`GET / HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}secret.json HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}../secret.json HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}examples/../main.js HTTP/1.1\r\n${host}\r\n`, 404],
+        [`GET ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 405],
+        [post(`${pathname}main.js`, '{}'), 405],
+        [post('/answer', '{}'), 404],
         [post(`${pathname}answer`, '{}', 'Origin: https://evil.example\r\n'), 403],
         [post(`${pathname}save`, '{"text": "x", "base": null}', 'Origin: https://evil.example\r\n'), 403],
         [post(`${pathname}answer`, '{}').replace(/127.0.0.1/, 'evil.example'), 403],
-        [`POST ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 411], [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 99999999\r\n\r\n`, 413],
-        [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: -1\r\n\r\n`, 400], [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 1x\r\n\r\n`, 400],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}\r\n`, 411],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 99999999\r\n\r\n`, 413],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: -1\r\n\r\n`, 400],
+        [`POST ${pathname}answer HTTP/1.1\r\n${host}Content-Length: 1x\r\n\r\n`, 400],
         [`POST ${pathname}answer HTTP/1.1\r\n${host}Transfer-Encoding: chunked\r\n\r\n0\r\n\r\n`, 411],
-        [post(`${pathname}answer`, '{}'), 200], [post(`${pathname}answer`, '['.repeat(200000)), 200], [post(`${pathname}answer`, '"'), 200],
-        [post(`${pathname}save`, '{"text": 1}'), 400], [post(`${pathname}save`, '{"text": "x", "base": "other"}'), 409],
+        [post(`${pathname}answer`, '{}'), 200],
+        [post(`${pathname}answer`, '['.repeat(200000)), 200],
+        [post(`${pathname}answer`, '"'), 200],
+        [post(`${pathname}save`, '{"text": 1}'), 400],
+        [post(`${pathname}save`, '{"text": "x", "base": "other"}'), 409]
     ];
-    for (const [bytes, status] of cases) assert.match(await ask(bytes), new RegExp(`^HTTP/1.1 ${status} `), bytes.slice(0, 120));
+    for (const [bytes, status] of cases)
+        assert.match(await ask(bytes), new RegExp(`^HTTP/1.1 ${status} `), bytes.slice(0, 120));
     assert.equal(readFileSync(path, 'utf8'), exampleText('four_bar.json'));
     // One that gives up its question keeps nobody waiting.
-    const long = post(`${pathname}answer`, JSON.stringify({text: exampleText('exam_2001.json'), name: 'x', want: ['live', 'sheet']}));
-    for (let i = 0; i < 20; ++i) net.connect(Number(port), '127.0.0.1', function send() {
-        this.write(long, () => this.destroy());
-    });
+    const long = post(
+        `${pathname}answer`,
+        JSON.stringify({text: exampleText('exam_2001.json'), name: 'x', want: ['live', 'sheet']})
+    );
+    for (let i = 0; i < 20; ++i)
+        net.connect(Number(port), '127.0.0.1', function send() {
+            this.write(long, () => this.destroy());
+        });
     assert.match(await ask(post(`${pathname}answer`, '{"text": "", "want": ["words"]}')), /"untitled"/);
 });
 
@@ -369,8 +443,12 @@ test('the modes show the solution: the live page in its tabs, the sheet as the p
     }
     await page.locator('#go-sheet').click();
     await page.locator('#shown img').first().waitFor();
-    const answer = await run(`workbench.engine.answer({text: workbench.document.text, name: 'four_bar.json', want: ['sheet', 'results', 'live'], options: {}})`);
-    const told = (...more) => execFileSync(program, ['solve', join(examples, 'four_bar.json'), '-o', '-', ...more], {encoding: 'utf8'});
+    const answer = await run(
+        `workbench.engine.answer({text: workbench.document.text, name: 'four_bar.json',
+            want: ['sheet', 'results', 'live'], options: {}})`
+    );
+    const told = (...more) =>
+        execFileSync(program, ['solve', join(examples, 'four_bar.json'), '-o', '-', ...more], {encoding: 'utf8'});
     assert.equal(answer.sheet[0], told('--format', 'svg'));
     assert.equal(answer.results, told('--format', 'json'));
     assert.equal(answer.live, told('--format', 'html'));
@@ -395,8 +473,17 @@ test('an example is chosen by its picture; what is shown is taken away as SVG, P
         const [file_] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-take=${kind}]`).click()]);
         return {name: file_.suggestedFilename(), bytes: readFileSync(await file_.path())};
     };
-    const told = (format) => execFileSync(program, ['solve', join(examples, 'whitworth.json'), '-o', '-', '--format', format], {encoding: 'utf8', maxBuffer: 1e8});
-    for (const [kind, format] of [['svg', 'svg'], ['tex', 'tex'], ['html', 'html'], ['results', 'json']]) {
+    const told = (format) =>
+        execFileSync(program, ['solve', join(examples, 'whitworth.json'), '-o', '-', '--format', format], {
+            encoding: 'utf8',
+            maxBuffer: 1e8
+        });
+    for (const [kind, format] of [
+        ['svg', 'svg'],
+        ['tex', 'tex'],
+        ['html', 'html'],
+        ['results', 'json']
+    ]) {
         const {name, bytes} = await taken(kind);
         assert.match(name, /^whitworth/);
         assert.equal(String(bytes), told(format), kind);
@@ -414,7 +501,10 @@ test('the page speaks the language that is asked for', async (t) => {
     await open(french.address);
     await ready();
     assert.equal(await page.locator('#go-build').textContent(), 'Construire');
-    const seen = await run('document.body.innerText + [...document.querySelectorAll("[aria-label]")].map((each) => each.getAttribute("aria-label")).join(" ")');
+    const seen = await run(
+        `document.body.innerText +
+            [...document.querySelectorAll('[aria-label]')].map((each) => each.getAttribute('aria-label')).join(' ')`
+    );
     assert.doesNotMatch(seen, /\\~|\{\d\}|[a-z]_[a-z]/);
 });
 
@@ -426,7 +516,11 @@ test('axe finds nothing, in light and dark, wide and on a phone, in each panel',
         for (const act of ['#tab-properties', '#tab-file', '[data-tool=link]', '#more']) {
             await page.locator(act).click();
             const found = await run('axe.run(document, {resultTypes: ["violations"]})');
-            assert.deepEqual(found.violations.map(({id, nodes}) => [id, nodes.map(({html}) => html.slice(0, 120))]), [], act);
+            assert.deepEqual(
+                found.violations.map(({id, nodes}) => [id, nodes.map(({html}) => html.slice(0, 120))]),
+                [],
+                act
+            );
         }
     }
 });

@@ -12,8 +12,10 @@ import {distance, setAngle, setDistance} from '../../web/src/placing.js';
 import {places, removeBody, removePoint, rename} from '../../web/src/references.js';
 
 const [examples] = process.argv.slice(2);
-const files = readdirSync(examples, {recursive: true}).map((each) => join(examples, each))
-    .filter((each) => each.endsWith('.json') && statSync(each).isFile()).map((path) => ({path, text: readFileSync(path, 'utf8')}));
+const files = readdirSync(examples, {recursive: true})
+    .map((each) => join(examples, each))
+    .filter((each) => each.endsWith('.json') && statSync(each).isFile())
+    .map((path) => ({path, text: readFileSync(path, 'utf8')}));
 const fourBar = readFileSync(join(examples, 'four_bar.json'), 'utf8');
 const spotsOf = {O2: [0, 0], A: [20, 34.64], O4: [150, 0], B: [163.33, 78.88]};
 const edit = (text = fourBar) => new Edit(new JsonText(text), spotsOf);
@@ -23,7 +25,21 @@ test('every example is read as the language reads it', () => {
     for (const {path, text} of files) assert.deepEqual(plain(new JsonText(text).root), JSON.parse(text), path);
 });
 test('what is no JSON is refused where JSON.parse refuses it', () => {
-    const broken = ['', '{', '[1,]', '{"a" 1}', '{"a": 01}', '"\u0001"', '{"a": 1}}', 'nul', '{"a": .5}', '"\\x"', '[1 2]', '{a: 1}', '+1'];
+    const broken = [
+        '',
+        '{',
+        '[1,]',
+        '{"a" 1}',
+        '{"a": 01}',
+        '"\u0001"',
+        '{"a": 1}}',
+        'nul',
+        '{"a": .5}',
+        '"\\x"',
+        '[1 2]',
+        '{a: 1}',
+        '+1'
+    ];
     for (const each of broken) {
         assert.throws(() => JSON.parse(each));
         assert.throws(() => new JsonText(each), NotJson, each);
@@ -49,7 +65,12 @@ test('a member that is added and removed leaves the text as it was', () => {
             assert.deepEqual(more.plainAt(['points', 'new']), [0, 0]);
             assert.equal(more.remove(['points', 'new']).text, text, path);
         }
-        if (list?.items.length > 0) assert.equal(json.add(['joints'], {revolute: 'A', bodies: [1, 2]}).remove(['joints', list.items.length]).text, text, path);
+        if (list?.items.length > 0)
+            assert.equal(
+                json.add(['joints'], {revolute: 'A', bodies: [1, 2]}).remove(['joints', list.items.length]).text,
+                text,
+                path
+            );
     }
 });
 test('renaming there and back is no change, and leaves no old name behind', () => {
@@ -72,12 +93,22 @@ test('renaming there and back is no change, and leaves no old name behind', () =
     assert.ok(renamed > 300, String(renamed));
 });
 test('a length that is typed becomes the form of the file: a distance, then the meet of two circles', () => {
-    const begun = new Edit(new JsonText('{"points": {"O": [0, 0], "A": [3, 4], "C": [9, 0]}, "bodies": {"1": ["O", "C"]}, "frame": 1, "joints": []}'),
-        {O: [0, 0], A: [3, 4], C: [9, 0]});
+    const begun = new Edit(
+        new JsonText(
+            '{"points": {"O": [0, 0], "A": [3, 4], "C": [9, 0]}, "bodies": {"1": ["O", "C"]}, "frame": 1, "joints": []}'
+        ),
+        {O: [0, 0], A: [3, 4], C: [9, 0]}
+    );
     assert.ok(setDistance(begun, 'O', 'A', 6));
     assert.deepEqual(begun.json.plainAt(['points', 'A']), {from: 'O', distance: 6, angle: 53.1301});
     assert.ok(setDistance(begun, 'A', 'C', '= 2*r'));
-    assert.deepEqual(begun.json.plainAt(['points', 'A']), {meet: [{circle: 'O', radius: 6}, {circle: 'C', radius: '= 2*r'}], side: 'left'});
+    assert.deepEqual(begun.json.plainAt(['points', 'A']), {
+        meet: [
+            {circle: 'O', radius: 6},
+            {circle: 'C', radius: '= 2*r'}
+        ],
+        side: 'left'
+    });
     assert.ok(setDistance(begun, 'C', 'A', 7));
     assert.equal(begun.json.plainAt(['points', 'A', 'meet', 1, 'radius']), 7);
     setAngle(begun, 'O', 'A', 30);

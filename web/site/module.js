@@ -13,7 +13,12 @@ export async function openModule(compiled) {
         fd_close: () => badDescriptor,
         fd_read: () => badDescriptor,
         fd_seek: () => badDescriptor,
-        fd_write: (/** @type {number} */ _file, /** @type {number} */ pieces, /** @type {number} */ count, /** @type {number} */ written) => {
+        fd_write: (
+            /** @type {number} */ _file,
+            /** @type {number} */ pieces,
+            /** @type {number} */ count,
+            /** @type {number} */ written
+        ) => {
             let size = 0;
             for (let i = 0; i < count; ++i) size += view().getUint32(pieces + 8 * i + 4, true);
             view().setUint32(written, size, true);
@@ -25,7 +30,11 @@ export async function openModule(compiled) {
             return done;
         },
         environ_get: () => done,
-        clock_time_get: (/** @type {number} */ _clock, /** @type {bigint} */ _precision, /** @type {number} */ time) => {
+        clock_time_get: (
+            /** @type {number} */ _clock,
+            /** @type {bigint} */ _precision,
+            /** @type {number} */ time
+        ) => {
             view().setBigUint64(time, 0n, true);
             return done;
         },

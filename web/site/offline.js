@@ -17,5 +17,9 @@ worker.addEventListener('activate', (/** @type {any} */ event) => {
 });
 worker.addEventListener('fetch', (/** @type {any} */ event) => {
     if (event.request.method !== 'GET' || new URL(event.request.url).origin !== worker.location.origin) return;
-    event.respondWith(caches.match(event.request, {cacheName: version, ignoreSearch: true}).then((kept) => kept ?? fetch(event.request)));
+    event.respondWith(
+        caches
+            .match(event.request, {cacheName: version, ignoreSearch: true})
+            .then((kept) => kept ?? fetch(event.request))
+    );
 });

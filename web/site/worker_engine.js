@@ -1,5 +1,5 @@
-// The engine of the static site: WebAssembly in a worker (worker.js). What it cannot answer in a minute is given up, and
-// the worker started anew, so that a hostile file does not stop the page.
+// The engine of the static site: WebAssembly in a worker (worker.js). What it cannot answer in a minute is given
+// up, and the worker started anew, so that a hostile file does not stop the page.
 
 const longest = 60_000;  // ms
 const languages = ['en', 'it', 'fr', 'de', 'es'];
@@ -24,7 +24,8 @@ class Engine {
     /** @param {string} why */
     restart(why) {
         this.worker?.terminate();
-        for (const answer of this.waiting.splice(0)) answer({faults: [], remarks: [], unsolved: [], title: '', failure: why});
+        for (const answer of this.waiting.splice(0))
+            answer({faults: [], remarks: [], unsolved: [], title: '', failure: why});
         this.start();
     }
     /**
@@ -45,7 +46,8 @@ class Engine {
 
 /** @returns {import('../src/engine.js').Engine} */
 export function open() {
-    document.documentElement.lang = navigator.languages.map((each) => each.slice(0, 2)).find((each) => languages.includes(each)) ?? 'en';
+    document.documentElement.lang =
+        navigator.languages.map((each) => each.slice(0, 2)).find((each) => languages.includes(each)) ?? 'en';
     if ('serviceWorker' in navigator) void navigator.serviceWorker.register('offline.js');
     const engine = new Engine();
     return {answer: (request) => engine.answer(request), file: async () => null, save: null};

@@ -1,4 +1,5 @@
-// The workbench: the file, what the engine says of it, what is selected, and the tool in hand. Everything else listens to it.
+// The workbench: the file, what the engine says of it, what is selected, and the tool in hand. Everything else
+// listens to it.
 import {MechanismDocument} from './document.js';
 import {Edit} from './edit.js';
 import {Inquiry} from './inquiry.js';
@@ -87,7 +88,8 @@ export class Bench {
         this.document.open(text, name, base);
     }
     /**
-     * Changes the file; `change` returns what is selected then (undefined: as before). While the text is no JSON nothing is drawn.
+     * Changes the file; `change` returns what is selected then (undefined: as before). While the text is no
+     * JSON nothing is drawn.
      * @param {(edit: Edit) => string | null | undefined | void} change
      * @param {string} [joins]
      */

@@ -10,7 +10,8 @@ import * as symbols from './symbols.js';
  * @typedef {import('./edit.js').Spot} Spot
  * @typedef {import('./edit.js').Spots} Spots
  * @typedef {import('./view.js').View} View
- * @typedef {{model: Model, spots: Spots, directions: Record<string, number>, selection: string | null, faulty: Set<string>}} Scene
+ * @typedef {{model: Model, spots: Spots, directions: Record<string, number>,
+ *     selection: string | null, faulty: Set<string>}} Scene
  *     selection and faulty: JSON pointers
  */
 
@@ -24,11 +25,13 @@ export class Canvas {
     constructor(root, view) {
         this.root = root;
         this.view = view;
-        this.layers = Object.fromEntries(['grid', 'under', 'bodies', 'joints', 'loads', 'labels', 'over'].map((name) => {
-            const layer = svg('g', {class: `layer ${name}`});
-            root.append(layer);
-            return [name, layer];
-        }));
+        this.layers = Object.fromEntries(
+            ['grid', 'under', 'bodies', 'joints', 'loads', 'labels', 'over'].map((name) => {
+                const layer = svg('g', {class: `layer ${name}`});
+                root.append(layer);
+                return [name, layer];
+            })
+        );
     }
     /** @param {Scene} scene */
     draw(scene) {
@@ -58,15 +61,31 @@ export class Canvas {
      * @param {...Element} marks
      */
     add(layer, pointer, look, ...marks) {
-        const states = [look, this.scene?.selection === pointer ? 'selected' : '', this.scene?.faulty.has(pointer) ? 'faulty' : ''];
+        const states = [
+            look,
+            this.scene?.selection === pointer ? 'selected' : '',
+            this.scene?.faulty.has(pointer) ? 'faulty' : ''
+        ];
         const group = svg('g', {class: states.filter(Boolean).join(' '), 'data-of': pointer}, ...marks);
         this.layers[layer].append(group);
     }
     /** A dot at each node, as a pattern: a path of all dots would be drawn anew in every frame. */
     drawGrid() {
-        const {view} = this, size = view.grid * view.scale, [x, y] = view.toScreen([0, 0]);
-        const pattern = svg('pattern', {id: 'grid-dots', patternUnits: 'userSpaceOnUse', x: x - size / 2, y: y - size / 2, width: size, height: size},
-            svg('circle', {class: 'dots', cx: size / 2, cy: size / 2, r: 1}));
+        const {view} = this,
+            size = view.grid * view.scale,
+            [x, y] = view.toScreen([0, 0]);
+        const pattern = svg(
+            'pattern',
+            {
+                id: 'grid-dots',
+                patternUnits: 'userSpaceOnUse',
+                x: x - size / 2,
+                y: y - size / 2,
+                width: size,
+                height: size
+            },
+            svg('circle', {class: 'dots', cx: size / 2, cy: size / 2, r: 1})
+        );
         const ground = svg('rect', {width: view.width, height: view.height});
         ground.style.fill = 'url(#grid-dots)';
         ground.style.stroke = 'none';
@@ -77,7 +96,8 @@ export class Canvas {
      * @param {string} body
      */
     look(body) {
-        const {model} = /** @type {Scene} */ (this.scene), index = model.movingBodies.findIndex(({name}) => name === body);
+        const {model} = /** @type {Scene} */ (this.scene),
+            index = model.movingBodies.findIndex(({name}) => name === body);
         return index < 0 ? 'frame' : `body-${(index % looks) + 1}`;
     }
     drawBodies() {
@@ -95,14 +115,18 @@ export class Canvas {
      * @param {string} body
      */
     isBelow(body) {
-        const {model} = /** @type {Scene} */ (this.scene), driver = model.drivers.find(({form}) => String(form.body) === body);
-        const points = model.pointsOf(body), pivot = points.find((each) => model.isGround(each)) ?? points[0];
-        const at = this.spot(pivot ?? ''), tip = this.spot(points.find((each) => each !== pivot) ?? '');
+        const {model} = /** @type {Scene} */ (this.scene),
+            driver = model.drivers.find(({form}) => String(form.body) === body);
+        const points = model.pointsOf(body),
+            pivot = points.find((each) => model.isGround(each)) ?? points[0];
+        const at = this.spot(pivot ?? ''),
+            tip = this.spot(points.find((each) => each !== pivot) ?? '');
         if (driver && at && tip) return !(parseFloat(driver.form.omega) < 0) === tip[0] >= at[0];
         // Beside a steep bar it stands on the outer side of the mechanism.
         const both = points.map((each) => this.spot(each)).filter(Boolean), [a, b] = /** @type {Spot[]} */ (both);
         if (both.length !== 2 || Math.abs(b[0] - a[0]) > Math.abs(b[1] - a[1])) return false;
-        const all = model.points.map(({name}) => this.spot(name)?.[0] ?? a[0]), middle = all.reduce((sum, each) => sum + each, 0) / all.length;
+        const all = model.points.map(({name}) => this.spot(name)?.[0] ?? a[0]),
+            middle = all.reduce((sum, each) => sum + each, 0) / all.length;
         return (a[0] + b[0]) / 2 < middle === (b[1] - a[1]) * (b[0] - a[0]) >= 0;
     }
     /**
@@ -112,7 +136,13 @@ export class Canvas {
      * @param {Spot} at
      */
     tag(name, look, [x, y]) {
-        this.add('labels', Model.pointer(['bodies', name]), `${look} tag`, svg('circle', {cx: x, cy: y, r: 11}), svg('text', {x, y: y + 5}, name));
+        this.add(
+            'labels',
+            Model.pointer(['bodies', name]),
+            `${look} tag`,
+            svg('circle', {cx: x, cy: y, r: 11}),
+            svg('text', {x, y: y + 5}, name)
+        );
     }
     /**
      * The direction of a joint on the screen, radians.
@@ -132,15 +162,20 @@ export class Canvas {
         for (const joint of model.joints) {
             const at = this.spot(joint.point);
             if (!at) continue;
-            const turned = this.turned(joint.pointer, joint.form.along ?? joint.form.tangent), look = this.look(joint.bodies[0] ?? '');
-            if (joint.kind === 'prismatic') this.add('under', joint.pointer, look, symbols.slider(at, turned, joint.bodies[1] === model.frame));
-            else if (joint.kind === 'pin-slot') this.add('under', joint.pointer, this.look(joint.bodies[1] ?? ''), symbols.slot(at, turned));
-            else if (joint.kind === 'revolute' && joint.bodies.includes(model.frame)) this.add('under', joint.pointer, 'frame', symbols.ground(at));
+            const turned = this.turned(joint.pointer, joint.form.along ?? joint.form.tangent),
+                look = this.look(joint.bodies[0] ?? '');
+            if (joint.kind === 'prismatic')
+                this.add('under', joint.pointer, look, symbols.slider(at, turned, joint.bodies[1] === model.frame));
+            else if (joint.kind === 'pin-slot')
+                this.add('under', joint.pointer, this.look(joint.bodies[1] ?? ''), symbols.slot(at, turned));
+            else if (joint.kind === 'revolute' && joint.bodies.includes(model.frame))
+                this.add('under', joint.pointer, 'frame', symbols.ground(at));
             else if (joint.kind !== 'revolute' && joint.kind !== 'weld') this.drawWheels(joint, at, turned);
         }
         for (const point of model.bodyNamed(model.frame)?.points ?? []) {
             const at = this.spot(point);
-            if (at && !model.hingeAt(point)) this.add('under', Model.pointer(['points', point]), 'frame', symbols.ground(at));
+            if (at && !model.hingeAt(point))
+                this.add('under', Model.pointer(['points', point]), 'frame', symbols.ground(at));
         }
     }
     /**
@@ -155,17 +190,36 @@ export class Canvas {
             const centre = this.spot(profiles[body]?.circle ?? model.bodyNamed(body)?.circle?.centre ?? '');
             if (!centre) continue;
             ++wheels;
-            this.add('under', joint.pointer, this.look(body), symbols.wheel(centre, distance(centre, at), joint.kind === 'gear'));
+            this.add(
+                'under',
+                joint.pointer,
+                this.look(body),
+                symbols.wheel(centre, distance(centre, at), joint.kind === 'gear')
+            );
         }
-        const [x, y] = at, dx = 40 * Math.cos(turned), dy = 40 * Math.sin(turned);
-        if (wheels < 2) this.add('under', joint.pointer, 'frame', svg('path', {class: 'guide', d: `M${x - dx} ${y - dy}L${x + dx} ${y + dy}`}));
+        const [x, y] = at,
+            dx = 40 * Math.cos(turned),
+            dy = 40 * Math.sin(turned);
+        if (wheels < 2)
+            this.add(
+                'under',
+                joint.pointer,
+                'frame',
+                svg('path', {class: 'guide', d: `M${x - dx} ${y - dy}L${x + dx} ${y + dy}`})
+            );
     }
     drawPoints() {
         const {model} = /** @type {Scene} */ (this.scene);
         for (const {name} of model.points) {
-            const at = this.spot(name), joint = model.joints.some((each) => each.point === name && each.kind !== 'weld');
+            const at = this.spot(name),
+                joint = model.joints.some((each) => each.point === name && each.kind !== 'weld');
             if (!at) continue;
-            this.add('joints', Model.pointer(['points', name]), joint ? 'joint' : 'free', joint ? symbols.pin(at) : symbols.dot(at));
+            this.add(
+                'joints',
+                Model.pointer(['points', name]),
+                joint ? 'joint' : 'free',
+                joint ? symbols.pin(at) : symbols.dot(at)
+            );
             const turned = this.freeWay(name, at);
             this.add('labels', Model.pointer(['points', name]), 'name',
                 symbols.label([at[0] + 21 * Math.cos(turned), at[1] + 19 * Math.sin(turned) + 6], name, 'of-point'));
@@ -186,7 +240,8 @@ export class Canvas {
             }
         }
         for (const {form} of model.drivers)
-            if (model.isGround(point) && model.pointsOf(String(form.body)).includes(point)) taken.push(...taken.map((each) => each - 1), ...taken.map((each) => each + 1));
+            if (model.isGround(point) && model.pointsOf(String(form.body)).includes(point))
+                taken.push(...taken.map((each) => each - 1), ...taken.map((each) => each + 1));
         if (model.isGround(point)) taken.push(Math.PI / 2 - 0.4, Math.PI / 2, Math.PI / 2 + 0.4);
         for (const joint of model.joints)
             if (joint.point === point && joint.kind === 'prismatic') taken.push(Math.PI / 2, 0, Math.PI);
@@ -198,7 +253,8 @@ export class Canvas {
      * @param {Spot} at
      */
     freeWay(point, at) {
-        const taken = this.waysTaken(point, at), ways = [-1, -2, -3, 0, -4, 1, 3, 2].map((each) => (each * Math.PI) / 4);
+        const taken = this.waysTaken(point, at),
+            ways = [-1, -2, -3, 0, -4, 1, 3, 2].map((each) => (each * Math.PI) / 4);
         const room = (/** @type {number} */ way) => Math.min(2, ...taken.map((each) => gap(way, each)));
         return ways.reduce((best, each) => (room(each) > room(best) + 0.1 ? each : best), ways[0]);
     }
@@ -213,8 +269,11 @@ export class Canvas {
 
 /** @param {Spot[]} at */
 function isStraight(at) {
-    const [a, b] = ends(at), length = distance(a, b) || 1;
-    return at.every((each) => Math.abs((b[0] - a[0]) * (each[1] - a[1]) - (b[1] - a[1]) * (each[0] - a[0])) / length < 1.5);
+    const [a, b] = ends(at),
+        length = distance(a, b) || 1;
+    return at.every(
+        (each) => Math.abs((b[0] - a[0]) * (each[1] - a[1]) - (b[1] - a[1]) * (each[0] - a[0])) / length < 1.5
+    );
 }
 /**
  * The two spots farthest apart.
@@ -236,7 +295,15 @@ function tagPlace(at, isBelow) {
     if (at.length === 0) return [-100, -100];
     const [a, b] = at.length > 1 ? ends(at) : [at[0], at[0]];
     if (at.length > 2 && !isStraight(at))
-        return [at.reduce((sum, each) => sum + each[0], 0) / at.length, at.reduce((sum, each) => sum + each[1], 0) / at.length];
-    const length = distance(a, b) || 1, away = 24, sign = (b[0] - a[0] < 0) !== isBelow ? 1 : -1;
-    return [(a[0] + b[0]) / 2 - (sign * away * (b[1] - a[1])) / length, (a[1] + b[1]) / 2 + (sign * away * (b[0] - a[0])) / length];
+        return [
+            at.reduce((sum, each) => sum + each[0], 0) / at.length,
+            at.reduce((sum, each) => sum + each[1], 0) / at.length
+        ];
+    const length = distance(a, b) || 1,
+        away = 24,
+        sign = b[0] - a[0] < 0 !== isBelow ? 1 : -1;
+    return [
+        (a[0] + b[0]) / 2 - (sign * away * (b[1] - a[1])) / length,
+        (a[1] + b[1]) / 2 + (sign * away * (b[0] - a[0])) / length
+    ];
 }

@@ -27,11 +27,14 @@ export function drawDrivers(canvas, scene) {
     for (const {form, pointer} of model.drivers) {
         const rate = parseFloat(form.omega ?? form.speed ?? form.law?.turn ?? 1) || 1, body = String(form.body ?? '');
         if (form.joint !== undefined) {
-            const joint = model.joints.find((each) => each.name === String(form.joint)), at = canvas.spot(joint?.point ?? '');
-            if (joint && at) push(canvas, pointer, at, canvas.turned(joint.pointer, joint.form.along) + (rate < 0 ? Math.PI : 0));
+            const joint = model.joints.find((each) => each.name === String(form.joint)),
+                at = canvas.spot(joint?.point ?? '');
+            if (joint && at)
+                push(canvas, pointer, at, canvas.turned(joint.pointer, joint.form.along) + (rate < 0 ? Math.PI : 0));
             continue;
         }
-        const pivot = model.pointsOf(body).find((each) => model.isGround(each)) ?? model.pointsOf(body)[0], at = canvas.spot(form.at ?? pivot ?? '');
+        const pivot = model.pointsOf(body).find((each) => model.isGround(each)) ?? model.pointsOf(body)[0],
+            at = canvas.spot(form.at ?? pivot ?? '');
         const tip = canvas.spot(model.pointsOf(body).find((each) => each !== pivot) ?? '');
         const beside = at && tip ? Math.atan2(tip[1] - at[1], tip[0] - at[0]) : -1;
         if (at) canvas.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0, beside));
@@ -46,7 +49,12 @@ export function drawDrivers(canvas, scene) {
  */
 function push(canvas, pointer, [x, y], turned) {
     const from = /** @type {Spot} */ ([x - 22 * Math.sin(-turned), y - 22 * Math.cos(turned)]);
-    canvas.add('loads', pointer, 'drive', symbols.arrow(from, [from[0] + 46 * Math.cos(turned), from[1] + 46 * Math.sin(turned)], 'driver'));
+    canvas.add(
+        'loads',
+        pointer,
+        'drive',
+        symbols.arrow(from, [from[0] + 46 * Math.cos(turned), from[1] + 46 * Math.sin(turned)], 'driver')
+    );
 }
 /**
  * @param {Canvas} canvas
@@ -66,12 +74,15 @@ export function drawMasses(canvas, scene) {
 export function drawLoads(canvas, scene) {
     const {model} = scene;
     for (const {form, pointer} of model.loads) {
-        const between = Array.isArray(form.between) ? form.between.map((/** @type {string} */ each) => canvas.spot(each)) : [];
+        const between = Array.isArray(form.between)
+            ? form.between.map((/** @type {string} */ each) => canvas.spot(each))
+            : [];
         if (between.length === 2 && between[0] && between[1]) {
             canvas.add('under', pointer, 'load', symbols.spring(between[0], between[1]));
             continue;
         }
-        const pin = model.joints.find((each) => each.name === String(form.pin)), at = canvas.spot(form.at ?? pin?.point ?? '');
+        const pin = model.joints.find((each) => each.name === String(form.pin)),
+            at = canvas.spot(form.at ?? pin?.point ?? '');
         if (at && form.force !== undefined) drawForce(canvas, form, pointer, at, String(form.at ?? pin?.point ?? ''));
         else if (form.couple !== undefined) drawCouple(canvas, scene, form, pointer);
         else if (form.distributed !== undefined) drawDistributed(canvas, form, pointer);
@@ -90,9 +101,17 @@ function drawForce(canvas, form, pointer, at, point) {
     const room = (/** @type {number} */ way) => Math.min(3, ...taken.map((each) => gap(way, each)));
     // The arrow ends at the point, or begins there where bars are in the way.
     const isPull = room(heads + Math.PI) < 0.7 && room(heads) > 0.7;
-    const along = (/** @type {number} */ away) => /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
-    const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)], end = isPull ? along(length + 6) : along(-length - 6);
-    canvas.add('loads', pointer, 'load', symbols.arrow(tail, tip, 'force'), symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load'));
+    const along = (/** @type {number} */ away) =>
+        /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
+    const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)],
+        end = isPull ? along(length + 6) : along(-length - 6);
+    canvas.add(
+        'loads',
+        pointer,
+        'load',
+        symbols.arrow(tail, tip, 'force'),
+        symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load')
+    );
 }
 /**
  * @param {Canvas} canvas
@@ -110,9 +129,12 @@ function drawCouple(canvas, {model}, form, pointer) {
  * @param {string} pointer
  */
 function drawDistributed(canvas, form, pointer) {
-    const from = canvas.spot(form.from ?? ''), to = canvas.spot(form.to ?? ''), turned = canvas.turned(pointer, form.along);
+    const from = canvas.spot(form.from ?? ''),
+        to = canvas.spot(form.to ?? ''),
+        turned = canvas.turned(pointer, form.along);
     if (!from || !to) return;
-    const back = (/** @type {Spot} */ at) => /** @type {Spot} */ ([at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)]);
+    const back = (/** @type {Spot} */ at) =>
+        /** @type {Spot} */ ([at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)]);
     const marks = [0, 0.25, 0.5, 0.75, 1].map((t) => {
         const at = /** @type {Spot} */ ([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
         return symbols.arrow(back(at), at, 'force');

@@ -33,7 +33,8 @@ export const html = (tag, attributes = {}, ...children) => dressed(document.crea
  * @param {...(Node | string)} children
  * @returns {SVGElementTagNameMap[K]}
  */
-export const svg = (tag, attributes = {}, ...children) => dressed(document.createElementNS(svgSpace, tag), attributes, children);
+export const svg = (tag, attributes = {}, ...children) =>
+    dressed(document.createElementNS(svgSpace, tag), attributes, children);
 
 /**
  * The element of an id, which index.html has.

@@ -22,7 +22,9 @@ async function pngOf(text) {
     pen.fillStyle = '#fff';
     pen.fillRect(0, 0, canvas.width, canvas.height);
     pen.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png'));
+    return new Promise((resolve, reject) =>
+        canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png')
+    );
 }
 /**
  * The pages of the sheet on white paper.
@@ -37,7 +39,8 @@ async function pages(bench) {
  * @param {string} kind
  */
 export async function take(bench, kind) {
-    const name = stem(bench), text = (/** @type {string} */ each, /** @type {string} */ type) => new Blob([each], {type});
+    const name = stem(bench),
+        text = (/** @type {string} */ each, /** @type {string} */ type) => new Blob([each], {type});
     if (kind === 'json') return download(text(bench.document.text, 'application/json'), `${name}.json`);
     if (kind === 'results' || kind === 'tex') {
         const answer = await bench.inquiry.other([kind]), found = answer[kind];

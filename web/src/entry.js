@@ -46,7 +46,9 @@ export class Entry {
                 canvas.focus();
             }
             if (event.key !== 'Enter') return;
-            const {tool} = bench, picked = tool?.picked ?? [], target = targetOf(this.input.value, picked[picked.length - 1] ?? '', bench.spots);
+            const {tool} = bench,
+                picked = tool?.picked ?? [],
+                target = targetOf(this.input.value, picked[picked.length - 1] ?? '', bench.spots);
             this.input.setAttribute('aria-invalid', String(!target));
             if (!target || !tool) return;
             this.input.value = '';

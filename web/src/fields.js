@@ -12,7 +12,11 @@ let fields = 0;
  * @param {any} value
  */
 export function asTyped(value) {
-    return value === undefined || value === null ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value);
+    return value === undefined || value === null
+        ? ''
+        : typeof value === 'object'
+          ? JSON.stringify(value)
+          : String(value);
 }
 /**
  * @param {string} name
@@ -22,7 +26,12 @@ export function asTyped(value) {
 export function row(name, control, unit = '') {
     const id = control.id || `field-${++fields}`;
     control.id = id;
-    return html('div', {class: 'row'}, html('label', {for: id}, name), html('span', {class: 'control'}, control, html('span', {class: 'unit'}, unit)));
+    return html(
+        'div',
+        {class: 'row'},
+        html('label', {for: id}, name),
+        html('span', {class: 'control'}, control, html('span', {class: 'unit'}, unit))
+    );
 }
 /**
  * @param {string} name
@@ -31,7 +40,14 @@ export function row(name, control, unit = '') {
  * @param {{unit?: string, id?: string, text?: boolean, hint?: string}} more text: a text whatever is typed
  */
 export function field(name, value, change, {unit = '', id = '', text = false, hint = ''} = {}) {
-    const input = html('input', {value, id: id || null, autocomplete: 'off', spellcheck: 'false', title: hint || null, inputmode: text ? 'text' : null});
+    const input = html('input', {
+        value,
+        id: id || null,
+        autocomplete: 'off',
+        spellcheck: 'false',
+        title: hint || null,
+        inputmode: text ? 'text' : null
+    });
     const take = () => {
         if (input.value === value) return;
         // From here on the field may be shown anew.
@@ -65,7 +81,12 @@ export function choice(name, value, choices, change, id = '') {
  * @param {(isOn: boolean) => void} change
  */
 export function tick(name, isOn, change) {
-    const input = html('input', {type: 'checkbox', checked: isOn, id: `field-${++fields}`, onchange: () => change(input.checked)});
+    const input = html('input', {
+        type: 'checkbox',
+        checked: isOn,
+        id: `field-${++fields}`,
+        onchange: () => change(input.checked)
+    });
     return html('div', {class: 'row tick'}, input, html('label', {for: input.id}, name));
 }
 /**
@@ -73,7 +94,8 @@ export function tick(name, isOn, change) {
  * @param {string} text
  * @param {string} [look]
  */
-export const told = (name, text, look = '') => html('div', {class: 'row'}, html('span', {}, name), html('span', {class: `value ${look}`}, text));
+export const told = (name, text, look = '') =>
+    html('div', {class: 'row'}, html('span', {}, name), html('span', {class: `value ${look}`}, text));
 /**
  * @param {string} text
  * @param {() => void} act

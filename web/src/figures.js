@@ -42,7 +42,16 @@ export class Figures {
         }
         if (JSON.stringify(figures) === JSON.stringify(this.shown)) return;
         this.shown = figures;
-        this.root.replaceChildren(...Object.entries(figures).map(([name, text]) => html('figure', {}, html('figcaption', {}, word(`figure_${name}`)), picture(text, word(`figure_${name}`)))));
+        this.root.replaceChildren(
+            ...Object.entries(figures).map(([name, text]) =>
+                html(
+                    'figure',
+                    {},
+                    html('figcaption', {}, word(`figure_${name}`)),
+                    picture(text, word(`figure_${name}`))
+                )
+            )
+        );
     }
     /** Why there is no polygon yet. */
     why() {

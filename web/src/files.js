@@ -53,7 +53,11 @@ export class Files {
     }
     /** Whether changes may be given up. */
     async mayLose() {
-        return !this.bench.document.isChanged || this.bench.document.past.length === 0 || this.ask(word('lose_changes'), word('go_on'));
+        return (
+            !this.bench.document.isChanged ||
+            this.bench.document.past.length === 0 ||
+            this.ask(word('lose_changes'), word('go_on'))
+        );
     }
     /**
      * A question with two answers.
@@ -67,7 +71,9 @@ export class Files {
         byId('question-yes').textContent = yes;
         dialog.returnValue = '';
         dialog.showModal();
-        return new Promise((resolve) => dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), {once: true}));
+        return new Promise((resolve) =>
+            dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), {once: true})
+        );
     }
     pick() {
         this.picker.click();
@@ -117,7 +123,8 @@ export class Files {
         this.showName();
     }
     async copyLink() {
-        const fragment = await fragmentOf(this.bench.document.text), address = location.href.replace(/#.*/, '') + fragment;
+        const fragment = await fragmentOf(this.bench.document.text),
+            address = location.href.replace(/#.*/, '') + fragment;
         history.replaceState(null, '', fragment);
         try {
             await navigator.clipboard.writeText(address);
@@ -127,8 +134,11 @@ export class Files {
         }
     }
     showName() {
-        const {bench} = this, {title} = bench.model.file, {language} = bench.inquiry;
-        const text = typeof title === 'string' ? title : title?.[language] ?? title?.en ?? '', {name, isChanged} = bench.document;
+        const {bench} = this,
+            {title} = bench.model.file,
+            {language} = bench.inquiry;
+        const text = typeof title === 'string' ? title : (title?.[language] ?? title?.en ?? ''),
+            {name, isChanged} = bench.document;
         const shown = text || name || word('untitled');
         byId('name').textContent = shown;
         byId('name').title = name;

@@ -20,10 +20,16 @@ export class Gallery {
         /** @type {HTMLInputElement} */
         this.search = byId('gallery-search');
         this.search.addEventListener('input', () => this.filter());
-        this.observer = new IntersectionObserver((entries) => entries.filter((each) => each.isIntersecting).forEach(({target}) => {
-            this.observer.unobserve(target);
-            this.queue = this.queue.then(() => this.draw(/** @type {HTMLElement} */ (target)));
-        }), {rootMargin: '200px'});
+        this.observer = new IntersectionObserver(
+            (entries) =>
+                entries
+                    .filter((each) => each.isIntersecting)
+                    .forEach(({target}) => {
+                        this.observer.unobserve(target);
+                        this.queue = this.queue.then(() => this.draw(/** @type {HTMLElement} */ (target)));
+                    }),
+            {rootMargin: '200px'}
+        );
         /** One drawing after the other, so that the file's own answers come between. */
         this.queue = Promise.resolve();
     }
@@ -37,17 +43,31 @@ export class Gallery {
     }
     /** @param {Example} example */
     card({path, title}) {
-        const {language} = this.bench.inquiry, name = typeof title === 'string' ? title : title[language] ?? title.en ?? '';
-        const card = html('button', {type: 'button', class: 'card', 'data-path': path, onclick: () => void this.choose(path)},
-            html('span', {class: 'thumb'}), html('span', {}, name || path.replace(/^examples\/|\.json$/g, '')));
+        const {language} = this.bench.inquiry,
+            name = typeof title === 'string' ? title : (title[language] ?? title.en ?? '');
+        const card = html(
+            'button',
+            {type: 'button', class: 'card', 'data-path': path, onclick: () => void this.choose(path)},
+            html('span', {class: 'thumb'}),
+            html('span', {}, name || path.replace(/^examples\/|\.json$/g, ''))
+        );
         this.observer.observe(card);
         return card;
     }
     /** @param {HTMLElement} card */
     async draw(card) {
         if (!this.dialog.open) return this.observer.observe(card);
-        const path = card.dataset.path ?? '', text = await (await fetch(path)).text(), name = path.slice(path.lastIndexOf('/') + 1);
-        const {inquiry} = this.bench, answer = await this.bench.engine.answer({text, name, want: [], figures: ['mechanism'], options: {...inquiry.options(), dimensions: 'off'}});
+        const path = card.dataset.path ?? '',
+            text = await (await fetch(path)).text(),
+            name = path.slice(path.lastIndexOf('/') + 1);
+        const {inquiry} = this.bench,
+            answer = await this.bench.engine.answer({
+                text,
+                name,
+                want: [],
+                figures: ['mechanism'],
+                options: {...inquiry.options(), dimensions: 'off'}
+            });
         const drawn = answer.figures?.mechanism;
         if (drawn) card.querySelector('.thumb')?.replaceChildren(picture(drawn, ''));
     }
@@ -60,6 +80,8 @@ export class Gallery {
     filter() {
         const wanted = this.search.value.trim().toLowerCase();
         for (const card of this.dialog.querySelectorAll('.card'))
-            /** @type {HTMLElement} */ (card).hidden = wanted !== '' && !`${card.textContent} ${/** @type {HTMLElement} */ (card).dataset.path}`.toLowerCase().includes(wanted);
+            /** @type {HTMLElement} */ (card).hidden =
+                wanted !== '' &&
+                !`${card.textContent} ${/** @type {HTMLElement} */ (card).dataset.path}`.toLowerCase().includes(wanted);
     }
 }

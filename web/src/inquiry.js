@@ -1,5 +1,5 @@
-// Asks the engine after every change: first where everything is, then the rest. One question at a time; what became old while
-// it was answered is dropped.
+// Asks the engine after every change: first where everything is, then the rest. One question at a time; what became
+// old while it was answered is dropped.
 
 /**
  * @typedef {import('./bench.js').Bench} Bench

@@ -19,10 +19,18 @@ export class Inspector {
     }
     /** Shows it anew; what is typed at the moment stays. */
     show() {
-        const active = document.activeElement, isIn = active instanceof HTMLElement && this.root.contains(active);
-        if (isIn && active instanceof HTMLInputElement && active.type !== 'checkbox' && active.value !== active.defaultValue) return;
-        const id = isIn ? active.id : '', selected = this.bench.selected();
-        this.root.replaceChildren(...selected ? this.ofSelected(selected) : this.ofMechanism());
+        const active = document.activeElement,
+            isIn = active instanceof HTMLElement && this.root.contains(active);
+        if (
+            isIn &&
+            active instanceof HTMLInputElement &&
+            active.type !== 'checkbox' &&
+            active.value !== active.defaultValue
+        )
+            return;
+        const id = isIn ? active.id : '',
+            selected = this.bench.selected();
+        this.root.replaceChildren(...(selected ? this.ofSelected(selected) : this.ofMechanism()));
         if (id) document.getElementById(id)?.focus();
     }
     /** @param {NonNullable<ReturnType<Bench['selected']>>} selected */
@@ -43,22 +51,75 @@ export class Inspector {
         const {bench} = this, {model} = bench, path = ['points', name], kind = formOf(form), others = model.points
             .map((each) => each.name).filter((each) => each !== name && !model.dependsOn(each, name));
         const rows = [heading(word('point', name)), renameField(bench, 'point', name)];
-        rows.push(choice(word('placed_by'), kind, forms.filter((each) => each === kind || each === 'coordinates' || others.length > (each === 'polar' ? 0 : 1))
-            .map((each) => [each, word(`by_${each}`)]), (wanted) => bench.edit((edit) => placeBy(edit, name, wanted)), 'placed-by'));
-        const ofPoint = (/** @type {string} */ text, /** @type {(string | number)[]} */ at) => choice(text, asTyped(bench.document.lastJson?.plainAt(at)),
-            [...others].map((each) => [each, each]), (value) => bench.edit((edit) => edit.set(at, value)));
-        if (kind === 'coordinates')
-            rows.push(fileField(bench, 'x', [...path, 0], {unit: model.unit, id: 'x'}), fileField(bench, 'y', [...path, 1], {unit: model.unit, id: 'y'}));
-        if (kind === 'polar') rows.push(ofPoint(word('from'), [...path, 'from']), fileField(bench, word('distance'), [...path, 'distance'], {unit: model.unit, id: 'distance'}),
-            fileField(bench, word('angle'), [...path, 'angle'], {unit: '°', id: 'angle'}));
-        if (kind === 'online') rows.push(ofPoint(word('from'), [...path, 'from']), ofPoint(word('to'), [...path, 'to']), 'ratio' in form ?
-            fileField(bench, word('ratio'), [...path, 'ratio'], {id: 'ratio'}) : fileField(bench, word('distance'), [...path, 'distance'], {unit: model.unit, id: 'distance'}));
-        if (kind === 'meet') rows.push(...this.ofMeet(form, path, ofPoint));
+        rows.push(
+            choice(
+                word('placed_by'),
+                kind,
+                forms
+                    .filter(
+                        (each) => each === kind || each === 'coordinates' || others.length > (each === 'polar' ? 0 : 1)
+                    )
+                    .map((each) => [each, word(`by_${each}`)]),
+                (wanted) => bench.edit((edit) => placeBy(edit, name, wanted)),
+                'placed-by'
+            )
+        );
+        rows.push(...this.ofPlacing(kind, form, path, others));
         if (bench.selection && !model.isGround(name))
-            rows.push(html('div', {class: 'acts'}, button(word('make_ground'), () => bench.edit((edit) => edit.addGround(name)), 'make-ground')));
-        rows.push(...links(bench, word('carried_by'), model.bodiesAt(name).filter((each) => model.bodyNamed(each)).map((each) => [word('link', each), pointerTo('bodies', each)])));
-        rows.push(...links(bench, word('joints'), model.joints.filter((each) => each.point === name).map((each) => [word(`kind_${each.kind.replace('-', '_')}`), each.pointer])));
+            rows.push(
+                html(
+                    'div',
+                    {class: 'acts'},
+                    button(word('make_ground'), () => bench.edit((edit) => edit.addGround(name)), 'make-ground')
+                )
+            );
+        rows.push(
+            ...links(
+                bench,
+                word('carried_by'),
+                model
+                    .bodiesAt(name)
+                    .filter((each) => model.bodyNamed(each))
+                    .map((each) => [word('link', each), pointerTo('bodies', each)])
+            )
+        );
+        rows.push(
+            ...links(
+                bench,
+                word('joints'),
+                model.joints
+                    .filter((each) => each.point === name)
+                    .map((each) => [word(`kind_${each.kind.replace('-', '_')}`), each.pointer])
+            )
+        );
         return rows;
+    }
+    /**
+     * The fields of one form of a point.
+     * @param {string} kind
+     * @param {any} form
+     * @param {(string | number)[]} path
+     * @param {string[]} others points that it may refer to
+     */
+    ofPlacing(kind, form, path, others) {
+        const {bench} = this, {unit} = bench.model;
+        const ofPoint = (/** @type {string} */ text, /** @type {(string | number)[]} */ at) =>
+            choice(
+                text,
+                asTyped(bench.document.lastJson?.plainAt(at)),
+                others.map((each) => [each, each]),
+                (value) => bench.edit((edit) => edit.set(at, value))
+            );
+        const from = () => ofPoint(word('from'), [...path, 'from']), to = () => ofPoint(word('to'), [...path, 'to']);
+        const far = () => fileField(bench, word('distance'), [...path, 'distance'], {unit, id: 'distance'});
+        if (kind === 'coordinates')
+            return ['x', 'y'].map((axis, i) => fileField(bench, axis, [...path, i], {unit, id: axis}));
+        if (kind === 'polar')
+            return [from(), far(), fileField(bench, word('angle'), [...path, 'angle'], {unit: '°', id: 'angle'})];
+        if (kind === 'online')
+            return [from(), to(),
+                'ratio' in form ? fileField(bench, word('ratio'), [...path, 'ratio'], {id: 'ratio'}) : far()];
+        return kind === 'meet' ? this.ofMeet(form, path, ofPoint) : [];
     }
     /**
      * @param {any} form
@@ -70,27 +131,58 @@ export class Inspector {
         const rows = form.meet.flatMap((/** @type {any} */ curve, /** @type {number} */ i) => {
             const at = [...path, 'meet', i];
             if (curve?.circle !== undefined)
-                return [typeof curve.circle === 'string' ? ofPoint(word('circle_about'), [...at, 'circle']) : told(word('circle_about'), asTyped(curve.circle)),
-                    fileField(bench, word('radius'), [...at, 'radius'], {unit, id: `radius-${i}`})];
+                return [
+                    typeof curve.circle === 'string'
+                        ? ofPoint(word('circle_about'), [...at, 'circle'])
+                        : told(word('circle_about'), asTyped(curve.circle)),
+                    fileField(bench, word('radius'), [...at, 'radius'], {unit, id: `radius-${i}`})
+                ];
             const rest = Object.keys(curve ?? {}).filter((each) => each !== 'line');
-            return [told(word('line_through'), asTyped(curve?.line)), ...rest.map((each) => fileField(bench, word(`line_${each}`), [...at, each]))];
+            return [
+                told(word('line_through'), asTyped(curve?.line)),
+                ...rest.map((each) => fileField(bench, word(`line_${each}`), [...at, each]))
+            ];
         });
         if (typeof form.side === 'string') {
             const sides = /^(left|right)$/.test(form.side) ? ['left', 'right'] : ['ahead', 'behind'];
-            rows.push(choice(word('side'), form.side, sides.map((each) => [each, word(`side_${each}`)]), (value) => bench.edit((edit) => edit.set([...path, 'side'], value))));
+            rows.push(
+                choice(
+                    word('side'),
+                    form.side,
+                    sides.map((each) => [each, word(`side_${each}`)]),
+                    (value) => bench.edit((edit) => edit.set([...path, 'side'], value))
+                )
+            );
         }
         if (form.near) rows.push(fileField(bench, word('near'), [...path, 'near']));
         return rows;
     }
     ofMechanism() {
-        const {bench} = this, {model, answer} = bench, title = model.file.title, language = bench.inquiry.language;
-        const ofTitle = title && typeof title === 'object' ? ['title', language in title ? language : Object.keys(title)[0] ?? 'en'] : ['title'];
-        const rows = [heading(word('mechanism')), fileField(bench, word('title'), ofTitle, {id: 'title', text: true}),
-            choice(word('unit_of_length'), model.unit, ['mm', 'cm', 'm', 'in', 'ft'].map((each) => [each, each]),
-                (value) => bench.edit((edit) => edit.set(['units', 'length'], value)), 'unit')];
-        if (answer?.counts && model.movingBodies.length > 0) rows.push(told(word('bodies_joints'), `${answer.counts.bodies} · ${answer.counts.joints}`));
-        if (answer?.mobility && model.movingBodies.length > 0) rows.push(freedom(bench, answer.mobility.effective, answer.counts?.drivers ?? 0));
-        if (model.file.gravity) rows.push(fileField(bench, word('gravity'), ['gravity'], {id: 'gravity', optional: true}));
+        const {bench} = this,
+            {model, answer} = bench,
+            title = model.file.title,
+            language = bench.inquiry.language;
+        const ofTitle =
+            title && typeof title === 'object'
+                ? ['title', language in title ? language : (Object.keys(title)[0] ?? 'en')]
+                : ['title'];
+        const rows = [
+            heading(word('mechanism')),
+            fileField(bench, word('title'), ofTitle, {id: 'title', text: true}),
+            choice(
+                word('unit_of_length'),
+                model.unit,
+                ['mm', 'cm', 'm', 'in', 'ft'].map((each) => [each, each]),
+                (value) => bench.edit((edit) => edit.set(['units', 'length'], value)),
+                'unit'
+            )
+        ];
+        if (answer?.counts && model.movingBodies.length > 0)
+            rows.push(told(word('bodies_joints'), `${answer.counts.bodies} · ${answer.counts.joints}`));
+        if (answer?.mobility && model.movingBodies.length > 0)
+            rows.push(freedom(bench, answer.mobility.effective, answer.counts?.drivers ?? 0));
+        if (model.file.gravity)
+            rows.push(fileField(bench, word('gravity'), ['gravity'], {id: 'gravity', optional: true}));
         rows.push(...this.parameters(), ...this.values(), ...this.list());
         return rows;
     }
@@ -103,17 +195,27 @@ export class Inspector {
         const values = this.bench.answer?.values ?? [];
         const wanted = values.filter(({name}) => /^(omega|alpha) |^v \S+$|^M|^effort|^bar /.test(name)).slice(0, 12);
         if (wanted.length === 0) return [];
-        return [heading(word('values')), ...wanted.map(({name, value, unit}) => told(symbolOf(name), `${Number(value.toPrecision(4))} ${unit}`))];
+        return [
+            heading(word('values')),
+            ...wanted.map(({name, value, unit}) => told(symbolOf(name), `${Number(value.toPrecision(4))} ${unit}`))
+        ];
     }
     /** Everything that can be selected, for those who do not point. */
     list() {
         const {bench} = this, {model} = bench;
         const parts = [...model.points.map(({name}) => [word('point', name), pointerTo('points', name)]),
             ...model.movingBodies.map(({name}) => [word('link', name), pointerTo('bodies', name)]),
-            ...model.joints.map(({kind, name, pointer}) => [`${word(`kind_${kind.replace('-', '_')}`)} ${name}`, pointer]),
+            ...model.joints.map(({kind, name, pointer}) => [
+                `${word(`kind_${kind.replace('-', '_')}`)} ${name}`,
+                pointer
+            ]),
             ...model.drivers.map(({form, pointer}) => [word('driver_of', asTyped(form.body ?? form.joint)), pointer]),
             ...model.masses.map(({body}) => [word('weight_of', body), pointerTo('masses', body)]),
-            ...model.loads.map(({form, pointer}) => [word('load', asTyped(form.force ?? form.couple ?? form.spring ?? form.distributed)), pointer])];
+            ...model.loads.map(({form, pointer}) => [
+                word('load', asTyped(form.force ?? form.couple ?? form.spring ?? form.distributed)),
+                pointer
+            ])
+        ];
         return links(bench, word('parts'), /** @type {[string, string][]} */ (parts));
     }
 }
@@ -131,8 +233,14 @@ function symbolOf(name) {
  * @param {number} drivers
  */
 function freedom(bench, effective, drivers) {
-    const left = effective - drivers, good = left === 0 && effective > 0;
-    const says = effective <= 0 ? word('freedom_none', effective) : left > 0 ? word('freedom_free', effective, left) : word('freedom_driven', effective);
+    const left = effective - drivers,
+        good = left === 0 && effective > 0;
+    const says =
+        effective <= 0
+            ? word('freedom_none', effective)
+            : left > 0
+              ? word('freedom_free', effective, left)
+              : word('freedom_driven', effective);
     return told(word('freedom'), says, good || (effective === 0 && bench.model.loads.length > 0) ? 'good' : 'open');
 }
 /**
@@ -143,7 +251,10 @@ function freedom(bench, effective, drivers) {
  */
 export function links(bench, title, parts) {
     if (parts.length === 0) return [];
-    return [heading(title), html('div', {class: 'parts'}, ...parts.map(([text, pointer]) => button(text, () => bench.select(pointer))))];
+    return [
+        heading(title),
+        html('div', {class: 'parts'}, ...parts.map(([text, pointer]) => button(text, () => bench.select(pointer))))
+    ];
 }
 /**
  * @param {Bench} bench
@@ -166,12 +277,26 @@ export function spanFields(bench, p, q) {
     const [a, b] = [bench.spots[p], bench.spots[q]];
     if (!a || !b) return [];
     const shown = (/** @type {number} */ value) => String(Number(value.toPrecision(6)));
-    return [field(word('length_of', p, q), givenLength(bench, p, q) ?? shown(distance(a, b)), (value) => bench.edit((edit) => {
-        if (!setDistance(edit, p, q, value)) byId('status').textContent = word('cannot_set');
-    }), {unit: bench.model.unit, id: `length-${p}-${q}`, hint: word('formula_hint')}),
-    field(word('angle_of', p, q), shown(angle(a, b)), (value) => bench.edit((edit) => {
-        if (!edit.model.dependsOn(p, q)) setAngle(edit, p, q, value);
-    }), {unit: '°', id: `angle-${p}-${q}`})];
+    return [
+        field(
+            word('length_of', p, q),
+            givenLength(bench, p, q) ?? shown(distance(a, b)),
+            (value) =>
+                bench.edit((edit) => {
+                    if (!setDistance(edit, p, q, value)) byId('status').textContent = word('cannot_set');
+                }),
+            {unit: bench.model.unit, id: `length-${p}-${q}`, hint: word('formula_hint')}
+        ),
+        field(
+            word('angle_of', p, q),
+            shown(angle(a, b)),
+            (value) =>
+                bench.edit((edit) => {
+                    if (!edit.model.dependsOn(p, q)) setAngle(edit, p, q, value);
+                }),
+            {unit: '°', id: `angle-${p}-${q}`}
+        )
+    ];
 }
 /**
  * What the file gives as the distance of two points.
@@ -182,8 +307,11 @@ export function spanFields(bench, p, q) {
 function givenLength({model}, p, q) {
     for (const [point, other] of [[p, q], [q, p]]) {
         const form = model.point(point)?.form;
-        if (form && !Array.isArray(form) && form.from === other && 'distance' in form && !form.to) return asTyped(form.distance);
-        const circle = Array.isArray(form?.meet) ? form.meet.find((/** @type {any} */ each) => each?.circle === other) : null;
+        if (form && !Array.isArray(form) && form.from === other && 'distance' in form && !form.to)
+            return asTyped(form.distance);
+        const circle = Array.isArray(form?.meet)
+            ? form.meet.find((/** @type {any} */ each) => each?.circle === other)
+            : null;
         if (circle) return asTyped(circle.radius);
     }
     return undefined;

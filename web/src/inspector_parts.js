@@ -17,7 +17,9 @@ import {word} from './words.js';
  * @param {string} name
  */
 export function bodyFields(bench, name) {
-    const {model} = bench, points = model.pointsOf(name), driver = model.drivers.find(({form}) => String(form.body) === name);
+    const {model} = bench,
+        points = model.pointsOf(name),
+        driver = model.drivers.find(({form}) => String(form.body) === name);
     const rows = [heading(word('link', name)), renameField(bench, 'body', name)];
     for (const [p, q] of bars(model, name, bench.spots).slice(0, 4)) rows.push(...spanFields(bench, p, q));
     const others = model.points.map((each) => each.name).filter((each) => !points.includes(each));
@@ -36,7 +38,8 @@ export function bodyFields(bench, name) {
     }), 'drive'));
     rows.push(acts, ...links(bench, word('points'), points.map((each) => [each, pointerTo('points', each)])));
     if (driver) rows.push(...links(bench, word('driver'), [[word('driver_of', name), driver.pointer]]));
-    if (model.masses.some(({body}) => body === name)) rows.push(...links(bench, word('weight'), [[word('weight_of', name), pointerTo('masses', name)]]));
+    if (model.masses.some(({body}) => body === name))
+        rows.push(...links(bench, word('weight'), [[word('weight_of', name), pointerTo('masses', name)]]));
     return rows;
 }
 
@@ -47,9 +50,17 @@ export function bodyFields(bench, name) {
 export function jointFields(bench, index) {
     const joint = bench.model.joints.find((each) => each.path[1] === index);
     if (!joint) return [];
-    const rows = [heading(`${word(`kind_${joint.kind.replace('-', '_')}`)} ${joint.name}`), told(word('joins'), joint.bodies.join(' · '))];
+    const rows = [
+        heading(`${word(`kind_${joint.kind.replace('-', '_')}`)} ${joint.name}`),
+        told(word('joins'), joint.bodies.join(' · '))
+    ];
     for (const key of ['along', 'tangent', 'pressure angle', 'pushes'])
-        if (key in joint.form) rows.push(fileField(bench, word(`joint_${key.replace(' ', '_')}`), [...joint.path, key], {id: `joint-${key.replace(' ', '-')}`}));
+        if (key in joint.form)
+            rows.push(
+                fileField(bench, word(`joint_${key.replace(' ', '_')}`), [...joint.path, key], {
+                    id: `joint-${key.replace(' ', '-')}`
+                })
+            );
     rows.push(fileField(bench, word('name'), [...joint.path, 'name'], {optional: true, text: true}));
     rows.push(...links(bench, word('points'), [[joint.point, pointerTo('points', joint.point)]]));
     return rows;
@@ -63,14 +74,33 @@ export function jointFields(bench, index) {
 export function driverFields(bench, path, form) {
     const slides = form.body === undefined, rows = [heading(word('driver_of', asTyped(form.body ?? form.joint)))];
     if (form.law) return [...rows, fileField(bench, word('law'), [...path, 'law'])];
-    if (slides || form.at) rows.push(fileField(bench, word('speed'), [...path, 'speed'], {id: 'speed'}), fileField(bench, word('acceleration'), [...path, 'acceleration'], {optional: true, id: 'acceleration'}));
-    else rows.push(fileField(bench, word('omega'), [...path, 'omega'], {unit: 'rad/s', id: 'omega'}), fileField(bench, word('alpha'), [...path, 'alpha'], {unit: 'rad/s²', optional: true, id: 'alpha'}));
-    const isMine = (/** @type {any} */ effort) => effort && (slides ? effort.joint === form.joint : String(effort.body) === String(form.body));
-    const {effort} = bench.model.file, has = [effort].flat().some(isMine);
-    if (bench.model.loads.length + bench.model.masses.length > 0 || has) rows.push(tick(word('balances'), has, (isOn) => bench.edit((edit) => {
-        if (!isOn) edit.remove(['effort']);
-        else edit.set(['effort'], slides ? {force: 'Q', joint: form.joint} : {couple: 'M', body: bodyValue(String(form.body))});
-    })));
+    if (slides || form.at)
+        rows.push(
+            fileField(bench, word('speed'), [...path, 'speed'], {id: 'speed'}),
+            fileField(bench, word('acceleration'), [...path, 'acceleration'], {optional: true, id: 'acceleration'})
+        );
+    else
+        rows.push(
+            fileField(bench, word('omega'), [...path, 'omega'], {unit: 'rad/s', id: 'omega'}),
+            fileField(bench, word('alpha'), [...path, 'alpha'], {unit: 'rad/s²', optional: true, id: 'alpha'})
+        );
+    const isMine = (/** @type {any} */ effort) =>
+        effort && (slides ? effort.joint === form.joint : String(effort.body) === String(form.body));
+    const {effort} = bench.model.file,
+        has = [effort].flat().some(isMine);
+    if (bench.model.loads.length + bench.model.masses.length > 0 || has)
+        rows.push(
+            tick(word('balances'), has, (isOn) =>
+                bench.edit((edit) => {
+                    if (!isOn) edit.remove(['effort']);
+                    else
+                        edit.set(
+                            ['effort'],
+                            slides ? {force: 'Q', joint: form.joint} : {couple: 'M', body: bodyValue(String(form.body))}
+                        );
+                })
+            )
+        );
     return rows;
 }
 
@@ -80,16 +110,43 @@ export function driverFields(bench, path, form) {
  * @param {any} form
  */
 export function loadFields(bench, path, form) {
-    const name = asTyped(form.force ?? form.couple ?? form.spring ?? form.distributed), rows = [heading(word('load', name))];
+    const name = asTyped(form.force ?? form.couple ?? form.spring ?? form.distributed),
+        rows = [heading(word('load', name))];
     const key = ['force', 'couple', 'spring', 'distributed'].find((each) => each in form) ?? 'force';
     rows.push(fileField(bench, word('name'), [...path, key], {text: true}));
     for (const each of Object.keys(form)) {
-        if (['force', 'spring', 'distributed', 'couple', 'body', 'bodies', 'at', 'pin', 'between', 'from', 'to'].includes(each)) continue;
-        rows.push(fileField(bench, word(`load_${each.replace(' ', '_')}`), [...path, each], {id: `load-${each.replace(' ', '-')}`}));
+        if (
+            [
+                'force',
+                'spring',
+                'distributed',
+                'couple',
+                'body',
+                'bodies',
+                'at',
+                'pin',
+                'between',
+                'from',
+                'to'
+            ].includes(each)
+        )
+            continue;
+        rows.push(
+            fileField(bench, word(`load_${each.replace(' ', '_')}`), [...path, each], {
+                id: `load-${each.replace(' ', '-')}`
+            })
+        );
     }
     const on = form.pin ?? form.at;
-    if (form.body !== undefined) rows.push(choice(word('acts_on'), String(form.body), bench.model.movingBodies.map(({name: each}) => [each, word('link', each)]),
-        (value) => bench.edit((edit) => edit.set([...path, 'body'], bodyValue(value)))));
+    if (form.body !== undefined)
+        rows.push(
+            choice(
+                word('acts_on'),
+                String(form.body),
+                bench.model.movingBodies.map(({name: each}) => [each, word('link', each)]),
+                (value) => bench.edit((edit) => edit.set([...path, 'body'], bodyValue(value)))
+            )
+        );
     if (typeof on === 'string') rows.push(told(word('acts_at'), on));
     return rows;
 }
@@ -99,9 +156,16 @@ export function loadFields(bench, path, form) {
  * @param {string} body
  */
 export function massFields(bench, body) {
-    const path = ['masses', body], form = bench.model.masses.find((each) => each.body === body)?.form ?? {};
-    return [heading(word('weight_of', body)), fileField(bench, word('mass'), [...path, 'mass'], {unit: 'kg', id: 'mass'}),
+    const path = ['masses', body],
+        form = bench.model.masses.find((each) => each.body === body)?.form ?? {};
+    return [
+        heading(word('weight_of', body)),
+        fileField(bench, word('mass'), [...path, 'mass'], {unit: 'kg', id: 'mass'}),
         fileField(bench, word('inertia'), [...path, 'inertia'], {unit: 'kg m²', optional: true, id: 'inertia'}),
-        told(word('centre'), asTyped(form.centre)), fileField(bench, word('gravity'), ['gravity'], {id: 'gravity', optional: true}),
-        tick(word('inertia_forces'), bench.model.file['inertia forces'] === true, (isOn) => bench.edit((edit) => (isOn ? edit.set(['inertia forces'], true) : edit.remove(['inertia forces']))))];
+        told(word('centre'), asTyped(form.centre)),
+        fileField(bench, word('gravity'), ['gravity'], {id: 'gravity', optional: true}),
+        tick(word('inertia_forces'), bench.model.file['inertia forces'] === true, (isOn) =>
+            bench.edit((edit) => (isOn ? edit.set(['inertia forces'], true) : edit.remove(['inertia forces'])))
+        )
+    ];
 }

@@ -49,7 +49,8 @@ class Reader {
     /** To the end of a string; what stands in it JSON.parse checks. */
     skipString() {
         const {text} = this;
-        for (++this.at; this.at < text.length && text[this.at] !== '"'; ++this.at) if (text[this.at] === '\\') ++this.at;
+        for (++this.at; this.at < text.length && text[this.at] !== '"'; ++this.at)
+            if (text[this.at] === '\\') ++this.at;
         ++this.at;
     }
     /**
@@ -64,10 +65,20 @@ class Reader {
         if (sign === '[') return this.array(depth);
         const start = this.at;
         if (sign === '"') this.skipString();
-        else this.at += /^(?:-?\d[\d.eE+-]*|true|false|null)/.exec(this.text.slice(start, start + longestNumber))?.[0].length ?? 0;
+        else
+            this.at +=
+                /^(?:-?\d[\d.eE+-]*|true|false|null)/.exec(this.text.slice(start, start + longestNumber))?.[0].length ??
+                0;
         const kind = sign === '"' ? 'string' : /[-\d]/.test(sign) ? 'number' : 'word';
         try {
-            return {kind, start, end: this.at, members: [], items: [], value: JSON.parse(this.text.slice(start, this.at))};
+            return {
+                kind,
+                start,
+                end: this.at,
+                members: [],
+                items: [],
+                value: JSON.parse(this.text.slice(start, this.at))
+            };
         } catch {
             throw new NotJson(start);
         }

@@ -115,10 +115,18 @@ export class Keys {
             if (!at) return;
             const turns = !Array.isArray(selected.form);
             const unit = turns ? 3 / bench.view.scale : grid;
-            bench.edit((edit) => moveTo(edit, point, [rounded(at[0] + way[0] * steps * unit), rounded(at[1] + way[1] * steps * unit)]), `keys ${point}`);
+            bench.edit(
+                (edit) =>
+                    moveTo(edit, point, [
+                        rounded(at[0] + way[0] * steps * unit),
+                        rounded(at[1] + way[1] * steps * unit)
+                    ]),
+                `keys ${point}`
+            );
             return;
         }
-        const at = this.cross(), to = /** @type {Spot} */ (at.map((each, i) => rounded((Math.round(each / grid) + way[i] * steps) * grid)));
+        const at = this.cross(),
+            to = /** @type {Spot} */ (at.map((each, i) => rounded((Math.round(each / grid) + way[i] * steps) * grid)));
         this.show(to);
         bench.cursor = {...snap(bench.model, bench.spots, bench.view, to, {from: null, onBars: true}), at: to};
         const point = pointNear(bench.model, bench.spots, bench.view, to);
@@ -130,8 +138,11 @@ export class Keys {
      * @param {Spot} at
      */
     show(at) {
-        const {view} = this.bench, [x, y] = view.toScreen(at), edge = 30;
-        const by = (/** @type {number} */ place, /** @type {number} */ size) => (place < edge ? edge - place : place > size - edge ? size - edge - place : 0);
+        const {view} = this.bench,
+            [x, y] = view.toScreen(at),
+            edge = 30;
+        const by = (/** @type {number} */ place, /** @type {number} */ size) =>
+            place < edge ? edge - place : place > size - edge ? size - edge - place : 0;
         view.pan(by(x, view.width), by(y, view.height));
         this.bench.tell('view');
     }

@@ -20,7 +20,9 @@ function bytesOf(text) {
  * @param {string} text
  */
 export async function fragmentOf(text) {
-    const packed = new Blob([text]).stream().pipeThrough(new (/** @type {any} */ (globalThis).CompressionStream)('deflate-raw'));
+    const packed = new Blob([text])
+        .stream()
+        .pipeThrough(new /** @type {any} */ (globalThis).CompressionStream('deflate-raw'));
     return mark + base64url(new Uint8Array(await new Response(packed).arrayBuffer()));
 }
 /**
@@ -31,8 +33,11 @@ export async function textOf(fragment) {
     const packed = fragment.slice(mark.length);
     if (!fragment.startsWith(mark) || packed.length > mostCharacters || !/^[\w-]*$/.test(packed)) return null;
     try {
-        const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new (/** @type {any} */ (globalThis).DecompressionStream)('deflate-raw'));
-        const reader = stream.getReader(), parts = [];
+        const stream = new Blob([bytesOf(packed)])
+            .stream()
+            .pipeThrough(new /** @type {any} */ (globalThis).DecompressionStream('deflate-raw'));
+        const reader = stream.getReader(),
+            parts = [];
         for (let size = 0; ;) {
             const {done, value} = await reader.read();
             if (done) break;

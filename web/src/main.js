@@ -34,7 +34,11 @@ function drawWhenChanged(bench, root) {
             bench.isToFit = false;
             bench.fit();
         }
-        if (!drawn) canvas.draw({...bench, faulty: new Set(bench.answer?.faults.map(({where}) => where.split('/').slice(0, 3).join('/')))});
+        if (!drawn)
+            canvas.draw({
+                ...bench,
+                faulty: new Set(bench.answer?.faults.map(({where}) => where.split('/').slice(0, 3).join('/')))
+            });
         drawn = true;
         canvas.over(...preview(bench));
     };
@@ -83,9 +87,17 @@ async function start() {
     });
     /** @type {Record<string, () => void>} */
     const acts = {
-        undo: () => bench.document.undo(), redo: () => bench.document.redo(), open: () => files.pick(), link: () => void files.copyLink(),
-        save: () => void files.save(), 'new-file': () => void files.startNew(), examples: () => void gallery.open(), fit: () => bench.fit(),
-        'zoom-in': () => zoom(bench, 1.25), 'zoom-out': () => zoom(bench, 0.8), snap: () => {
+        undo: () => bench.document.undo(),
+        redo: () => bench.document.redo(),
+        open: () => files.pick(),
+        link: () => void files.copyLink(),
+        save: () => void files.save(),
+        'new-file': () => void files.startNew(),
+        examples: () => void gallery.open(),
+        fit: () => bench.fit(),
+        'zoom-in': () => zoom(bench, 1.25),
+        'zoom-out': () => zoom(bench, 0.8),
+        snap: () => {
             bench.snaps = !bench.snaps;
             bench.tell('view');
         },

@@ -14,9 +14,11 @@ export class Menus {
         more.addEventListener('click', () => show(menu.hidden));
         menu.addEventListener('click', () => show(false));
         // On a phone the buttons of the bar stand in the menu.
-        for (const each of menu.querySelectorAll('[data-press]')) each.addEventListener('click', () => byId(each.dataset.press).click());
+        for (const each of menu.querySelectorAll('[data-press]'))
+            each.addEventListener('click', () => byId(each.dataset.press).click());
         document.addEventListener('pointerdown', (event) => {
-            if (event.target instanceof Node && !menu.contains(event.target) && !more.contains(event.target)) show(false);
+            if (event.target instanceof Node && !menu.contains(event.target) && !more.contains(event.target))
+                show(false);
         });
         document.addEventListener('keydown', (event) => {
             if (event.key !== 'Escape' || menu.hidden) return;
@@ -30,13 +32,15 @@ export class Menus {
             each.addEventListener('keydown', (event) => {
                 const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
                 if (by === 0) return;
-                const seen = this.tabs.filter((tab) => tab.offsetParent !== null), next = seen[(seen.indexOf(each) + by + seen.length) % seen.length];
+                const seen = this.tabs.filter((tab) => tab.offsetParent !== null),
+                    next = seen[(seen.indexOf(each) + by + seen.length) % seen.length];
                 next.focus();
                 this.choose(next);
             });
         }
         bench.on(['selection'], () => {
-            if (bench.selection !== null && byId('tab-polygons').getAttribute('aria-selected') === 'true') this.choose(byId('tab-properties'));
+            if (bench.selection !== null && byId('tab-polygons').getAttribute('aria-selected') === 'true')
+                this.choose(byId('tab-properties'));
         });
     }
     /** @param {HTMLButtonElement} chosen */

@@ -1,13 +1,15 @@
-// What the text says, as lists that are drawn and edited. It takes any JSON: what is not as it should be is left out, and the
-// engine says so.
+// What the text says, as lists that are drawn and edited. It takes any JSON: what is not as it should be is left
+// out, and the engine says so.
 import {plain} from './json_text.js';
 
 /**
  * @typedef {import('./json_text.js').JsonText} JsonText
  * @typedef {import('./json_text.js').Path} Path
  * @typedef {{name: string, form: any, path: Path}} PointItem
- * @typedef {{name: string, points: string[], listPath: Path, path: Path, circle: {centre: string} | null, isFrame: boolean}} BodyItem
- * @typedef {{kind: string, point: string, bodies: string[], name: string, form: any, path: Path, pointer: string}} JointItem
+ * @typedef {{name: string, points: string[], listPath: Path, path: Path,
+ *     circle: {centre: string} | null, isFrame: boolean}} BodyItem
+ * @typedef {{kind: string, point: string, bodies: string[], name: string, form: any, path: Path,
+ *     pointer: string}} JointItem
  * @typedef {{form: any, path: Path, pointer: string}} ListItem
  * @typedef {{body: string, form: any, path: Path}} MassItem
  */
@@ -104,7 +106,11 @@ export class Model {
     pointsOf(name) {
         const points = [...this.bodyNamed(name)?.points ?? []];
         for (const joint of this.joints)
-            if ((joint.kind === 'revolute' || joint.kind === 'weld') && joint.bodies.includes(name) && !points.includes(joint.point))
+            if (
+                (joint.kind === 'revolute' || joint.kind === 'weld') &&
+                joint.bodies.includes(name) &&
+                !points.includes(joint.point)
+            )
                 points.push(joint.point);
         return points;
     }
@@ -182,9 +188,12 @@ export class Model {
      * @param {string} letter
      */
     freeLoadName(letter) {
-        const taken = new Set(this.loads.map(({form}) => nameOf(form.force) || nameOf(form.couple) || nameOf(form.spring) || nameOf(form.distributed)));
-        for (let i = 1; ; ++i)
-            if (!taken.has(`${letter}${i}`)) return `${letter}${i}`;
+        const taken = new Set(
+            this.loads.map(
+                ({form}) => nameOf(form.force) || nameOf(form.couple) || nameOf(form.spring) || nameOf(form.distributed)
+            )
+        );
+        for (let i = 1; ; ++i) if (!taken.has(`${letter}${i}`)) return `${letter}${i}`;
     }
     /**
      * The pointer of a path.

@@ -1,4 +1,5 @@
-// The modes: Build, and the views of the solution; Move, Steps and Try it are the live page in a frame, Sheet its pages.
+// The modes: Build, and the views of the solution; Move, Steps and Try it are the live page in a frame, Sheet its
+// pages.
 import {byId, html} from './dom.js';
 import {picture} from './figures.js';
 import {word} from './words.js';
@@ -21,7 +22,9 @@ export class Modes {
         this.liveFrame = null;
         /** @type {HTMLButtonElement[]} */
         this.buttons = [...byId('modes').querySelectorAll('button')];
-        this.buttons.forEach((each) => each.addEventListener('click', () => bench.setMode(each.dataset.mode ?? 'build')));
+        this.buttons.forEach((each) =>
+            each.addEventListener('click', () => bench.setMode(each.dataset.mode ?? 'build'))
+        );
         byId('modes').addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => this.onKey(event));
         bench.on(['mode'], () => void this.show());
     }
@@ -29,7 +32,10 @@ export class Modes {
     onKey(event) {
         const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0, {length} = this.buttons;
         if (by === 0) return;
-        const next = this.buttons[(this.buttons.findIndex((each) => each.dataset.mode === this.bench.mode) + by + length) % length];
+        const next =
+            this.buttons[
+                (this.buttons.findIndex((each) => each.dataset.mode === this.bench.mode) + by + length) % length
+            ];
         next.focus();
         next.click();
     }
@@ -44,7 +50,9 @@ export class Modes {
         byId('shown').hidden = isBuild;
         if (isBuild) return;
         byId('shown').setAttribute('aria-labelledby', `go-${mode}`);
-        const kind = mode === 'sheet' ? 'sheet' : 'live', {text} = this.bench.document, {theme, language} = this.bench.inquiry;
+        const kind = mode === 'sheet' ? 'sheet' : 'live',
+            {text} = this.bench.document,
+            {theme, language} = this.bench.inquiry;
         const key = `${kind} ${theme} ${language}`;
         if (key !== this.kind || text !== this.text) await this.load(kind, key, text);
         if (kind === 'live') this.showTab(mode);
@@ -67,7 +75,14 @@ export class Modes {
             room.replaceChildren(...answer.sheet.map((page, i) => picture(page, word('sheet_page', i + 1))));
         } else {
             this.kind = '';
-            room.replaceChildren(html('div', {class: 'empty', role: 'status'}, html('p', {}, word('not_shown')), ...faults.map((each) => html('p', {}, each))));
+            room.replaceChildren(
+                html(
+                    'div',
+                    {class: 'empty', role: 'status'},
+                    html('p', {}, word('not_shown')),
+                    ...faults.map((each) => html('p', {}, each))
+                )
+            );
         }
     }
     /**

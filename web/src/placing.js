@@ -1,4 +1,5 @@
-// How a point is placed: lengths and angles that are typed become the forms of the file (from, meet), on the same side as drawn.
+// How a point is placed: lengths and angles that are typed become the forms of the file (from, meet), on the same
+// side as drawn.
 import {Literal} from './json_text.js';
 import {rounded, roundedSpot} from './edit.js';
 
@@ -59,7 +60,8 @@ function freedomOf(form, other) {
 }
 
 /**
- * Sets the distance of two points. The point that moves keeps what the file says of it besides: another distance makes it
+ * Sets the distance of two points. The point that moves keeps what the file says of it besides: another distance
+ * makes it
  * the meet of two circles, a guide on which it slides the meet of a circle and a line. False where neither can move.
  * @param {Edit} edit
  * @param {string} p
@@ -69,20 +71,35 @@ function freedomOf(form, other) {
 export function setDistance(edit, p, q, length) {
     const moving = movingEnd(edit, p, q), other = moving === p ? q : p;
     if (moving === '') return false;
-    const path = ['points', moving], form = edit.model.point(moving)?.form, at = edit.spots[moving], from = edit.spots[other];
+    const path = ['points', moving],
+        form = edit.model.point(moving)?.form,
+        at = edit.spots[moving],
+        from = edit.spots[other];
     if (!at || !from) return false;
     if (isMeet(form)) {
         const i = form.meet.findIndex((/** @type {any} */ each) => each?.circle === other);
         edit.set([...path, 'meet', i, 'radius'], length);
     } else if (isPolar(form) && form.from !== other) {
-        const first = {circle: form.from, radius: keep(edit, [...path, 'distance'])}, centre = edit.spots[form.from];
-        edit.set(path, {meet: [first, {circle: other, radius: length}], side: isLeft(centre, from, at) ? 'left' : 'right'});
+        const first = {circle: form.from, radius: keep(edit, [...path, 'distance'])},
+            centre = edit.spots[form.from];
+        edit.set(path, {
+            meet: [first, {circle: other, radius: length}],
+            side: isLeft(centre, from, at) ? 'left' : 'right'
+        });
     } else if (!Array.isArray(form)) {
         edit.set([...path, 'distance'], length);
     } else {
-        const guide = edit.model.joints.find((each) => each.kind === 'prismatic' && each.point === moving && !isOfPoints(each.form.along));
-        if (guide) edit.set(path, {meet: [{circle: other, radius: length},
-            {line: roundedSpot(at), angle: keep(edit, [...guide.path, 'along'])}], near: roundedSpot(at)});
+        const guide = edit.model.joints.find(
+            (each) => each.kind === 'prismatic' && each.point === moving && !isOfPoints(each.form.along)
+        );
+        if (guide)
+            edit.set(path, {
+                meet: [
+                    {circle: other, radius: length},
+                    {line: roundedSpot(at), angle: keep(edit, [...guide.path, 'along'])}
+                ],
+                near: roundedSpot(at)
+            });
         else edit.set(path, {from: other, distance: length, angle: rounded(angle(from, at))});
     }
     return true;
@@ -138,7 +155,10 @@ export function moveTo(edit, point, to) {
     if (!from) return;
     const turned = Math.round(angle(from, to));
     edit.set([...path, 'angle'], turned);
-    edit.spots[point] = [from[0] + form.distance * Math.cos((turned * Math.PI) / 180), from[1] + form.distance * Math.sin((turned * Math.PI) / 180)];
+    edit.spots[point] = [
+        from[0] + form.distance * Math.cos((turned * Math.PI) / 180),
+        from[1] + form.distance * Math.sin((turned * Math.PI) / 180)
+    ];
 }
 
 /** The forms in which a point may be placed. */
@@ -165,7 +185,12 @@ export function placeBy(edit, point, wanted) {
     const nearest = [...others].sort((a, b) => distance(edit.spots[a], at) - distance(edit.spots[b], at));
     const [a, b] = nearest;
     if (wanted === 'coordinates') edit.set(path, roundedSpot(at));
-    else if (wanted === 'polar' && a) edit.set(path, {from: a, distance: rounded(distance(edit.spots[a], at)), angle: rounded(angle(edit.spots[a], at))});
+    else if (wanted === 'polar' && a)
+        edit.set(path, {
+            from: a,
+            distance: rounded(distance(edit.spots[a], at)),
+            angle: rounded(angle(edit.spots[a], at))
+        });
     else if (wanted === 'online' && b) edit.set(path, {from: a, to: b, distance: rounded(distance(edit.spots[a], at))});
     else if (wanted === 'meet' && b)
         edit.set(path, {meet: [a, b].map((each) => ({circle: each, radius: rounded(distance(edit.spots[each], at))})),

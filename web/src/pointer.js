@@ -53,8 +53,11 @@ export class Pointer {
      */
     target(at, isFree) {
         const {bench} = this;
-        return snap(bench.model, bench.spots, bench.view, bench.view.toPlane(at),
-            {from: bench.tool?.from() ?? null, isFree: isFree || !bench.snaps, onBars: !(bench.tool instanceof SliderTool)});
+        return snap(bench.model, bench.spots, bench.view, bench.view.toPlane(at), {
+            from: bench.tool?.from() ?? null,
+            isFree: isFree || !bench.snaps,
+            onBars: !(bench.tool instanceof SliderTool)
+        });
     }
     /** @param {import('./snap.js').Target | null} target */
     setCursor(target) {
@@ -89,9 +92,13 @@ export class Pointer {
      * @param {Spot} at
      */
     select(event, at) {
-        const {bench} = this, point = pointNear(bench.model, bench.spots, bench.view, bench.view.toPlane(at));
-        const hit = document.elementsFromPoint(event.clientX, event.clientY).map((each) => each.closest('[data-of]')).find(Boolean);
-        const pointer = hit instanceof SVGElement ? hit.dataset.of ?? null : null;
+        const {bench} = this,
+            point = pointNear(bench.model, bench.spots, bench.view, bench.view.toPlane(at));
+        const hit = document
+            .elementsFromPoint(event.clientX, event.clientY)
+            .map((each) => each.closest('[data-of]'))
+            .find(Boolean);
+        const pointer = hit instanceof SVGElement ? (hit.dataset.of ?? null) : null;
         const isOfPoint = point && (pointer === null || !/^\/(loads|drivers|masses)\//.test(pointer));
         bench.select(isOfPoint ? pointerTo('points', point) : pointer);
         if (!this.pressed) return;
@@ -111,7 +118,11 @@ export class Pointer {
         }
         if (before) this.down.set(event.pointerId, at);
         const {pressed} = this;
-        if (pressed && Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]) > (event.pointerType === 'touch' ? still : 3)) this.hasMoved = true;
+        if (
+            pressed &&
+            Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]) > (event.pointerType === 'touch' ? still : 3)
+        )
+            this.hasMoved = true;
         if (pressed && before && this.hasMoved && pressed.pans) {
             bench.view.pan(at[0] - before[0], at[1] - before[1]);
             return bench.tell('view');
@@ -151,7 +162,11 @@ export class Pointer {
         event.preventDefault();
         const {view} = this.bench;
         if (event.shiftKey) view.pan(-event.deltaY - event.deltaX, 0);
-        else view.zoom(Math.exp(-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 120) * 0.0015), this.at(event));
+        else
+            view.zoom(
+                Math.exp(-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY), 120) * 0.0015),
+                this.at(event)
+            );
         this.bench.tell('view');
     }
 }

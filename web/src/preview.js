@@ -23,7 +23,8 @@ export function preview(bench) {
         if (tool instanceof SliderTool) marks.push(symbols.slider(start, turned, true));
         else if (tool instanceof LoadTool) marks.push(symbols.arrow(start, at, 'force'));
         else marks.push(svg('path', {class: 'rubber', d: `M${start}L${at}`}));
-        const says = `${rounded(Number(distance(from, cursor.at).toPrecision(5)))} ${bench.model.unit}  ∠ ${rounded(Number(angle(from, cursor.at).toFixed(1)))}°`;
+        const length = rounded(Number(distance(from, cursor.at).toPrecision(5)));
+        const says = `${length} ${bench.model.unit}  ∠ ${rounded(Number(angle(from, cursor.at).toFixed(1)))}°`;
         marks.push(...tag(says, at));
     } else if (!isCross) {
         marks.push(...tag(cursor.says || `${rounded(cursor.at[0])}, ${rounded(cursor.at[1])}`, at));

@@ -9,9 +9,32 @@ import {Model} from './model.js';
  */
 
 /** Under these keys stands the name of a point, or an array or pair of them. */
-const ofPoints = new Set(['from', 'to', 'circle', 'line', 'centre', 'at', 'revolute', 'prismatic', 'pin-slot', 'rolling', 'contact',
-    'gear', 'weld', 'arc', 'pin', 'between', 'along', 'parallel', 'perpendicular', 'relative to', 'tangent', 'points', 'relative motion',
-    'translating with']);
+const ofPoints = new Set([
+    'from',
+    'to',
+    'circle',
+    'line',
+    'centre',
+    'at',
+    'revolute',
+    'prismatic',
+    'pin-slot',
+    'rolling',
+    'contact',
+    'gear',
+    'weld',
+    'arc',
+    'pin',
+    'between',
+    'along',
+    'parallel',
+    'perpendicular',
+    'relative to',
+    'tangent',
+    'points',
+    'relative motion',
+    'translating with'
+]);
 const ofBodies = new Set(['body', 'bodies', 'arm', 'observer']);
 
 /**
@@ -22,8 +45,10 @@ const ofBodies = new Set(['body', 'bodies', 'arm', 'observer']);
  */
 export function places(edit, kind, name) {
     /** @type {Path[]} */
-    const found = [], keys = kind === 'point' ? ofPoints : ofBodies;
-    const isName = (/** @type {Node} */ node) => (node.kind === 'string' || (kind === 'body' && node.kind === 'number')) && String(node.value) === name;
+    const found = [],
+        keys = kind === 'point' ? ofPoints : ofBodies;
+    const isName = (/** @type {Node} */ node) =>
+        (node.kind === 'string' || (kind === 'body' && node.kind === 'number')) && String(node.value) === name;
     /**
      * @param {Node} node
      * @param {Path} path
@@ -36,13 +61,21 @@ export function places(edit, kind, name) {
         }
         node.items.forEach((each, i) => walk(each, [...path, i], meant));
         for (const {key, value} of node.members) {
-            const inCouple = kind === 'body' && (key === 'relative to' || key === 'from') && (path[0] === 'drivers' || path[0] === 'effort');
+            const inCouple =
+                kind === 'body' &&
+                (key === 'relative to' || key === 'from') &&
+                (path[0] === 'drivers' || path[0] === 'effort');
             const inBodies = kind === 'point' && path[0] === 'bodies' && path.length === 1;
-            walk(value, [...path, key], inBodies || inCouple || (keys.has(key) && !(kind === 'point' && key === 'from' && path[0] === 'effort')));
+            walk(
+                value,
+                [...path, key],
+                inBodies || inCouple || (keys.has(key) && !(kind === 'point' && key === 'from' && path[0] === 'effort'))
+            );
         }
     };
     for (const {key, value} of edit.json.root.members)
-        if (!['title', 'units', 'ask', 'vary', 'require', 'parameters'].includes(key)) walk(value, [key], key === 'frame' && kind === 'body');
+        if (!['title', 'units', 'ask', 'vary', 'require', 'parameters'].includes(key))
+            walk(value, [key], key === 'frame' && kind === 'body');
     return found;
 }
 
@@ -74,7 +107,11 @@ export function rename(edit, kind, from, to) {
     edit.take(edit.json.rename([kind === 'point' ? 'points' : 'bodies', from], to));
     if (kind === 'body' && edit.json.at(['masses', from])) edit.take(edit.json.rename(['masses', from], to));
     if (kind === 'body')
-        edit.model.joints.forEach(({path}) => edit.json.at([...path, 'profiles', from]) && edit.take(edit.json.rename([...path, 'profiles', from], to)));
+        edit.model.joints.forEach(
+            ({path}) =>
+                edit.json.at([...path, 'profiles', from]) &&
+                edit.take(edit.json.rename([...path, 'profiles', from], to))
+        );
     if (kind === 'point' && edit.spots[from]) edit.spots[to] = edit.spots[from];
     return true;
 }
@@ -99,8 +136,14 @@ function removeFrom(edit, key, goes) {
  * @param {Set<string>} keys
  * @param {string} name
  */
-const names = (form, keys, name) => Object.entries(form).some(([key, value]) =>
-    keys.has(key) && [value].flat(3).some((each) => (typeof each === 'string' || typeof each === 'number') && String(each) === name));
+const names = (form, keys, name) =>
+    Object.entries(form).some(
+        ([key, value]) =>
+            keys.has(key) &&
+            [value]
+                .flat(3)
+                .some((each) => (typeof each === 'string' || typeof each === 'number') && String(each) === name)
+    );
 
 /**
  * @param {Edit} edit
@@ -130,8 +173,11 @@ export function removeJoint(edit, index) {
     const joint = edit.model.joints[index];
     removeFrom(edit, 'drivers', (form) => String(form.joint ?? '') === joint.name);
     removeFrom(edit, 'effort', (form) => String(form.joint ?? '') === joint.name);
-    const others = edit.model.joints.filter((each) => each !== joint && each.kind === 'revolute' && each.point === joint.point);
-    if (joint.kind === 'revolute' && others.length === 0) removeFrom(edit, 'loads', (form) => String(form.pin ?? '') === joint.name);
+    const others = edit.model.joints.filter(
+        (each) => each !== joint && each.kind === 'revolute' && each.point === joint.point
+    );
+    if (joint.kind === 'revolute' && others.length === 0)
+        removeFrom(edit, 'loads', (form) => String(form.pin ?? '') === joint.name);
     edit.remove(joint.path);
 }
 /**
@@ -141,7 +187,8 @@ export function removeJoint(edit, index) {
  */
 export function removePoint(edit, name) {
     for (const each of edit.model.points)
-        if (Model.reads(each.form).includes(name) && edit.spots[each.name]) edit.set(each.path, roundedSpot(edit.spots[each.name]));
+        if (Model.reads(each.form).includes(name) && edit.spots[each.name])
+            edit.set(each.path, roundedSpot(edit.spots[each.name]));
     for (let i = edit.model.joints.length - 1; i >= 0; --i)
         if (names(edit.model.joints[i].form, ofPoints, name)) removeJoint(edit, i);
     removeFrom(edit, 'drivers', (form) => names(form, ofPoints, name));

@@ -5,7 +5,11 @@
  * @param {any} body
  */
 async function post(path, body) {
-    const response = await fetch(path, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
+    const response = await fetch(path, {
+        method: 'POST',
+        headers: {'Content-Type': 'application/json'},
+        body: JSON.stringify(body)
+    });
     if (!response.ok && response.status !== 409 && response.status !== 500) throw new Error(String(response.status));
     return response.json();
 }

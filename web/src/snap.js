@@ -7,7 +7,8 @@ import {angle, distance} from './placing.js';
  * @typedef {import('./edit.js').Spots} Spots
  * @typedef {import('./model.js').Model} Model
  * @typedef {import('./view.js').View} View
- * @typedef {{at: Spot, point: string, bar: {body: string, from: string, to: string} | null, says: string, snapped: string}} Target
+ * @typedef {{at: Spot, point: string, bar: {body: string, from: string, to: string} | null, says: string,
+ *     snapped: string}} Target
  *     at: where; point: the point that is meant, or ''; bar: the bar on which it lies
  */
 
@@ -67,7 +68,8 @@ export function barNear(model, spots, view, at) {
  * @param {Spots} spots
  * @param {View} view
  * @param {Spot} at where the pointer is
- * @param {{from?: Spot | null, except?: string, isFree?: boolean, onBars?: boolean}} how from: where a line begins whose angle counts; isFree: no snapping
+ * @param {{from?: Spot | null, except?: string, isFree?: boolean, onBars?: boolean}} how
+     *     from: where a line begins whose angle counts; isFree: no snapping
  * @returns {Target}
  */
 export function snap(model, spots, view, at, {from = null, except = '', isFree = false, onBars = true} = {}) {
@@ -84,7 +86,13 @@ export function snap(model, spots, view, at, {from = null, except = '', isFree =
         const off = Math.abs(angle(from, at) - turned);
         const length = rounded(Math.round(away / grid) * grid);
         if (off < 2.5 && length > 0 && turned % 90 !== 0)
-            return {at: [from[0] + length * Math.cos(rad), from[1] + length * Math.sin(rad)], point: '', bar: null, says: '', snapped: 'angle'};
+            return {
+                at: [from[0] + length * Math.cos(rad), from[1] + length * Math.sin(rad)],
+                point: '',
+                bar: null,
+                says: '',
+                snapped: 'angle'
+            };
     }
     return {at: node, point: '', bar: null, says: '', snapped: 'grid'};
 }

@@ -17,13 +17,17 @@ export class Status {
     show() {
         const {answer, inquiry} = this.bench, status = byId('status'), advice = byId('advice');
         if (!answer) return;
-        const faults = answer.failure ? 1 : answer.faults.length, first = answer.failure ?? answer.faults[0]?.text ?? '';
+        const faults = answer.failure ? 1 : answer.faults.length,
+            first = answer.failure ?? answer.faults[0]?.text ?? '';
         const unsolved = answer.unsolved.length;
         let [look, says] = ['', ''];
         if (answer.failure) [look, says] = ['bad', word('engine_lost')];
-        else if (faults > 0) [look, says] = ['bad', `${faults > 1 ? word('faults', faults) : word('one_fault')} ${first}`];
-        else if (answer.values && unsolved > 0) [look, says] = ['open', `${word('not_determined')} ${answer.unsolved[0].what}: ${answer.unsolved[0].why}`];
-        else if (answer.values && answer.values.length > 0) [look, says] = ['good', this.solved(Math.round(inquiry.took))];
+        else if (faults > 0)
+            [look, says] = ['bad', `${faults > 1 ? word('faults', faults) : word('one_fault')} ${first}`];
+        else if (answer.values && unsolved > 0)
+            [look, says] = ['open', `${word('not_determined')} ${answer.unsolved[0].what}: ${answer.unsolved[0].why}`];
+        else if (answer.values && answer.values.length > 0)
+            [look, says] = ['good', this.solved(Math.round(inquiry.took))];
         if (status.textContent !== says) status.textContent = says;
         status.className = look;
         const remarks = faults > 0 ? [] : answer.remarks;
@@ -32,18 +36,28 @@ export class Status {
     }
     /** @param {number} milliseconds */
     solved(milliseconds) {
-        const {results} = this.bench.answer ?? {}, worst = results ? greatestDifference(results) : null;
-        return worst === null ? word('solved', milliseconds) : word('solved_and_checked', milliseconds, worst.toExponential(0).replace('e-', 'e−'));
+        const {results} = this.bench.answer ?? {},
+            worst = results ? greatestDifference(results) : null;
+        return worst === null
+            ? word('solved', milliseconds)
+            : word('solved_and_checked', milliseconds, worst.toExponential(0).replace('e-', 'e−'));
     }
     showGrid() {
         const {view, model, snaps} = this.bench;
-        byId('grid').textContent = `${word('grid', rounded(view.grid), model.unit)} · ${snaps ? word('snap_on') : word('snap_off')}`;
+        byId('grid').textContent =
+            `${word('grid', rounded(view.grid), model.unit)} · ${snaps ? word('snap_on') : word('snap_off')}`;
     }
     showHint() {
         const {tool, selection, model} = this.bench, hint = byId('hint');
         const begun = tool && tool.picked.length > 0;
-        const says = !tool || tool instanceof SelectTool ? model.points.length === 0 ? word('hint_begin') : selection ? word('hint_selected') : '' :
-            word(begun ? `hint_${tool.name}_2` : `hint_${tool.name}`);
+        const says =
+            !tool || tool instanceof SelectTool
+                ? model.points.length === 0
+                    ? word('hint_begin')
+                    : selection
+                      ? word('hint_selected')
+                      : ''
+                : word(begun ? `hint_${tool.name}_2` : `hint_${tool.name}`);
         hint.textContent = says;
         hint.hidden = says === '';
     }
@@ -56,5 +70,8 @@ export class Status {
 function greatestDifference(results) {
     const {checks} = JSON.parse(results);
     if (!Array.isArray(checks) || checks.length === 0) return null;
-    return checks.reduce((worst, each) => Math.max(worst, Math.abs(each.difference) / Math.max(1, Math.abs(each.numeric))), 0);
+    return checks.reduce(
+        (worst, each) => Math.max(worst, Math.abs(each.difference) / Math.max(1, Math.abs(each.numeric))),
+        0
+    );
 }

@@ -1,4 +1,5 @@
-// The marks of the canvas, after ISO 3952: pins, grounds, bars, plates, sliders, wheels, springs, forces. Pixels, y downwards.
+// The marks of the canvas, after ISO 3952: pins, grounds, bars, plates, sliders, wheels, springs, forces. Pixels, y
+// downwards.
 import {svg} from './dom.js';
 
 /** @typedef {import('./edit.js').Spot} Spot */
@@ -16,7 +17,12 @@ export const dot = (at) => svg('circle', {class: 'dot', cx: at[0], cy: at[1], r:
 /** @param {Spot} at */
 export function ground([x, y]) {
     const hatch = [-14, -7, 0, 7, 14].map((i) => `M${x + i} ${y + 22}l-6 7`).join('');
-    return svg('g', {class: 'ground'}, svg('path', {class: 'base', d: `M${x} ${y}l-11 22h22z`}), svg('path', {d: `M${x - 18} ${y + 22}h36${hatch}`}));
+    return svg(
+        'g',
+        {class: 'ground'},
+        svg('path', {class: 'base', d: `M${x} ${y}l-11 22h22z`}),
+        svg('path', {d: `M${x - 18} ${y + 22}h36${hatch}`})
+    );
 }
 /**
  * Two spots: a bar; more: a plate with its outline.
@@ -55,15 +61,27 @@ export function hull(spots) {
  */
 export function slider([x, y], turned, isOfFrame) {
     const hatch = isOfFrame ? [-40, -28, -16, -4, 8, 20, 32].map((i) => `M${i + 6} 13l-6 7`).join('') : '';
-    return svg('g', {class: 'slider', transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`},
-        svg('path', {class: 'guide', d: `M-46 13h92${hatch}`}), svg('rect', {class: 'block', x: -19, y: -12, width: 38, height: 24, rx: 2}));
+    return svg(
+        'g',
+        {class: 'slider', transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`},
+        svg('path', {class: 'guide', d: `M-46 13h92${hatch}`}),
+        svg('rect', {class: 'block', x: -19, y: -12, width: 38, height: 24, rx: 2})
+    );
 }
 /**
  * @param {Spot} at
  * @param {number} turned
  */
 export const slot = ([x, y], turned) =>
-    svg('rect', {class: 'slot', x: -44, y: -9, width: 88, height: 18, rx: 9, transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`});
+    svg('rect', {
+        class: 'slot',
+        x: -44,
+        y: -9,
+        width: 88,
+        height: 18,
+        rx: 9,
+        transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`
+    });
 /**
  * @param {Spot} centre
  * @param {number} radius
@@ -79,8 +97,14 @@ export const wheel = (centre, radius, isGear) =>
  */
 export function arrow(from, to, kind) {
     const turned = Math.atan2(to[1] - from[1], to[0] - from[0]);
-    const wing = (/** @type {number} */ by) => `${to[0] - 11 * Math.cos(turned + by)} ${to[1] - 11 * Math.sin(turned + by)}`;
-    return svg('g', {class: `arrow ${kind}`}, svg('path', {d: through([from, to])}), svg('path', {class: 'head', d: `M${to[0]} ${to[1]}L${wing(0.3)}L${wing(-0.3)}Z`}));
+    const wing = (/** @type {number} */ by) =>
+        `${to[0] - 11 * Math.cos(turned + by)} ${to[1] - 11 * Math.sin(turned + by)}`;
+    return svg(
+        'g',
+        {class: `arrow ${kind}`},
+        svg('path', {d: through([from, to])}),
+        svg('path', {class: 'head', d: `M${to[0]} ${to[1]}L${wing(0.3)}L${wing(-0.3)}Z`})
+    );
 }
 /**
  * The sense of a driver about a pivot, beside its bar: counter-clockwise where positive.
@@ -89,11 +113,21 @@ export function arrow(from, to, kind) {
  * @param {number} beside the direction of the bar on the screen, radians
  */
 export function spin([x, y], isPositive, beside = -1) {
-    const radius = 34, sign = isPositive ? -1 : 1;
-    const spot = (/** @type {number} */ turned, away = radius) => `${(x + away * Math.cos(turned)).toFixed(1)} ${(y + away * Math.sin(turned)).toFixed(1)}`;
-    const start = beside + sign * 0.4, end = beside + sign * 1.4;
-    return svg('g', {class: 'arrow driver'}, svg('path', {d: `M${spot(start)}A${radius} ${radius} 0 0 ${isPositive ? 0 : 1} ${spot(end)}`}),
-        svg('path', {class: 'head', d: `M${spot(end + sign * 0.28)}L${spot(end, radius - 5.5)}L${spot(end, radius + 5.5)}Z`}));
+    const radius = 34,
+        sign = isPositive ? -1 : 1;
+    const spot = (/** @type {number} */ turned, away = radius) =>
+        `${(x + away * Math.cos(turned)).toFixed(1)} ${(y + away * Math.sin(turned)).toFixed(1)}`;
+    const start = beside + sign * 0.4,
+        end = beside + sign * 1.4;
+    return svg(
+        'g',
+        {class: 'arrow driver'},
+        svg('path', {d: `M${spot(start)}A${radius} ${radius} 0 0 ${isPositive ? 0 : 1} ${spot(end)}`}),
+        svg('path', {
+            class: 'head',
+            d: `M${spot(end + sign * 0.28)}L${spot(end, radius - 5.5)}L${spot(end, radius + 5.5)}Z`
+        })
+    );
 }
 /**
  * @param {Spot} from
@@ -104,11 +138,23 @@ export function spring(from, to) {
     const coil = Math.min(length * 0.7, 120), start = (length - coil) / 2, turns = 6;
     let d = `M0 0H${start}`;
     for (let i = 0; i < turns; ++i) d += `l${coil / turns / 4} -8l${coil / turns / 2} 16l${coil / turns / 4} -8`;
-    return svg('path', {class: 'spring', d: `${d}H${length}`, transform: `translate(${from[0]} ${from[1]}) rotate(${(turned * 180) / Math.PI})`});
+    return svg('path', {
+        class: 'spring',
+        d: `${d}H${length}`,
+        transform: `translate(${from[0]} ${from[1]}) rotate(${(turned * 180) / Math.PI})`
+    });
 }
 /** @param {Spot} at */
-export const weight = ([x, y]) => svg('g', {class: 'weight'}, svg('circle', {cx: x, cy: y, r: 8}),
-    svg('path', {class: 'head', d: `M${x} ${y}V${y - 8}A8 8 0 0 1 ${x + 8} ${y}ZM${x} ${y}V${y + 8}A8 8 0 0 1 ${x - 8} ${y}Z`}));
+export const weight = ([x, y]) =>
+    svg(
+        'g',
+        {class: 'weight'},
+        svg('circle', {cx: x, cy: y, r: 8}),
+        svg('path', {
+            class: 'head',
+            d: `M${x} ${y}V${y - 8}A8 8 0 0 1 ${x + 8} ${y}ZM${x} ${y}V${y + 8}A8 8 0 0 1 ${x - 8} ${y}Z`
+        })
+    );
 /**
  * A name beside a spot, its digits as an index: O₂.
  * @param {Spot} at

@@ -1,4 +1,5 @@
-// The file as text, beside the drawing: what is written there is drawn, what is drawn is written; faults at their lines.
+// The file as text, beside the drawing: what is written there is drawn, what is drawn is written; faults at their
+// lines.
 import {byId, html} from './dom.js';
 import {pathOf} from './json_text.js';
 import {word} from './words.js';
@@ -34,7 +35,8 @@ export class TextView {
      */
     indent(event) {
         if (event.key !== 'Enter' || event.ctrlKey) return;
-        const before = this.area.value.slice(0, this.area.selectionStart), line = before.slice(before.lastIndexOf('\n') + 1);
+        const before = this.area.value.slice(0, this.area.selectionStart),
+            line = before.slice(before.lastIndexOf('\n') + 1);
         const blanks = /^ */.exec(line)?.[0] ?? '';
         if (blanks === '') return;
         event.preventDefault();
@@ -42,9 +44,18 @@ export class TextView {
         this.bench.document.change(this.area.value, 'typing');
     }
     showFaults() {
-        const {answer, document: {text}} = this.bench, faults = answer?.failure ? [{where: '', text: answer.failure}] : answer?.faults ?? [];
-        const marked = new Set(faults.map(({line}) => line)), count = text.split('\n').length;
-        this.lines.replaceChildren(...Array.from({length: Math.min(count, 20000)}, (_, i) => html('span', {class: marked.has(i + 1) ? 'faulty' : ''}, String(i + 1))));
+        const {
+                answer,
+                document: {text}
+            } = this.bench,
+            faults = answer?.failure ? [{where: '', text: answer.failure}] : (answer?.faults ?? []);
+        const marked = new Set(faults.map(({line}) => line)),
+            count = text.split('\n').length;
+        this.lines.replaceChildren(
+            ...Array.from({length: Math.min(count, 20000)}, (_, i) =>
+                html('span', {class: marked.has(i + 1) ? 'faulty' : ''}, String(i + 1))
+            )
+        );
         this.lines.scrollTop = this.area.scrollTop;
         this.faults.replaceChildren(...faults.map((each) => html('li', {}, this.faultButton(each))));
         this.faults.hidden = faults.length === 0;
@@ -53,8 +64,16 @@ export class TextView {
     /** @param {import('../../app/workbench/protocol.js').Fault} fault */
     faultButton({where, line, text, fault, remedy}) {
         const place = line ? `${word('line', line)} ${where}` : where;
-        const parts = fault && remedy ? [html('span', {}, fault), html('span', {class: 'remedy'}, remedy)] : [html('span', {}, text)];
-        return html('button', {type: 'button', onclick: () => this.goTo(where, line)}, html('span', {class: 'place'}, place), ...parts);
+        const parts =
+            fault && remedy
+                ? [html('span', {}, fault), html('span', {class: 'remedy'}, remedy)]
+                : [html('span', {}, text)];
+        return html(
+            'button',
+            {type: 'button', onclick: () => this.goTo(where, line)},
+            html('span', {class: 'place'}, place),
+            ...parts
+        );
     }
     /**
      * Selects the place in the text, and what it belongs to.
@@ -86,12 +105,14 @@ export class TextView {
     }
     /** @param {number} line */
     rangeOfLine(line) {
-        const lines = this.area.value.split('\n'), start = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+        const lines = this.area.value.split('\n'),
+            start = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
         return [start, start + (lines[line - 1]?.length ?? 0)];
     }
     /** @param {number} at */
     scrollTo(at) {
-        const line = this.area.value.slice(0, at).split('\n').length, height = parseFloat(getComputedStyle(this.area).lineHeight);
+        const line = this.area.value.slice(0, at).split('\n').length,
+            height = parseFloat(getComputedStyle(this.area).lineHeight);
         this.area.scrollTop = Math.max(0, (line - 4) * height);
     }
     /** Shows where the text says what is selected on the canvas. */

@@ -34,14 +34,32 @@ export class Toolbar {
         this.root = byId('tools');
         for (const tool of tools) {
             const label = `${word(`tool_${tool.tool}`)} (${tool.key.toUpperCase()})`;
-            this.root.append(html('button', {type: 'button', 'data-tool': tool.tool, 'aria-label': label, title: label, 'aria-pressed': 'false',
-                'aria-keyshortcuts': tool.key.toUpperCase(), onclick: () => {
-                    bench.take(new tool(bench));
-                    canvas.focus();
-                }}, svg('svg', {class: 'icon', viewBox: '0 0 24 24', 'aria-hidden': 'true'}, svg('path', {d: signs[tool.tool]}))));
+            this.root.append(
+                html(
+                    'button',
+                    {
+                        type: 'button',
+                        'data-tool': tool.tool,
+                        'aria-label': label,
+                        title: label,
+                        'aria-pressed': 'false',
+                        'aria-keyshortcuts': tool.key.toUpperCase(),
+                        onclick: () => {
+                            bench.take(new tool(bench));
+                            canvas.focus();
+                        }
+                    },
+                    svg(
+                        'svg',
+                        {class: 'icon', viewBox: '0 0 24 24', 'aria-hidden': 'true'},
+                        svg('path', {d: signs[tool.tool]})
+                    )
+                )
+            );
         }
         bench.on(['tool'], () => {
-            for (const each of this.root.querySelectorAll('button')) each.setAttribute('aria-pressed', String(each.dataset.tool === bench.tool?.name));
+            for (const each of this.root.querySelectorAll('button'))
+                each.setAttribute('aria-pressed', String(each.dataset.tool === bench.tool?.name));
         });
     }
 }

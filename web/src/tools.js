@@ -34,7 +34,15 @@ export function pointAt(edit, target, name, from = '') {
         return made;
     }
     if (target.snapped === 'angle' && from)
-        return edit.addPoint({from, distance: rounded(distance(edit.spots[from], target.at)), angle: rounded(angle(edit.spots[from], target.at))}, target.at, name);
+        return edit.addPoint(
+            {
+                from,
+                distance: rounded(distance(edit.spots[from], target.at)),
+                angle: rounded(angle(edit.spots[from], target.at))
+            },
+            target.at,
+            name
+        );
     return edit.addPoint(roundedSpot(target.at), target.at, name);
 }
 
@@ -77,6 +85,23 @@ export class Tool {
     /** @param {(edit: Edit) => string | null | undefined | void} change */
     edit(change) {
         this.bench.edit(change);
+    }
+    /**
+     * Of a tool that joins two points: the first is begun with, the second ends it.
+     * @param {Target} target
+     * @param {(edit: Edit, first: string, second: string) => string} join what is selected then
+     * @param {string} [name] of new points
+     */
+    pickTwo(target, join, name) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target, name), [first] = this.picked;
+            if (!first || first === point || !edit.model.point(first)) {
+                this.begin(point);
+                return pointerTo('points', point);
+            }
+            this.cancel();
+            return join(edit, first, point);
+        });
     }
 }
 
@@ -154,7 +179,10 @@ export class SliderTool extends Tool {
             this.cancel();
             if (!edit.model.point(first)) return null;
             const turned = distance(edit.spots[first], target.at) === 0 ? 0 : angle(edit.spots[first], target.at);
-            edit.addSlider(first, target.point && target.point !== first ? [first, target.point] : rounded(Math.round(turned / 5) * 5));
+            edit.addSlider(
+                first,
+                target.point && target.point !== first ? [first, target.point] : rounded(Math.round(turned / 5) * 5)
+            );
             return pointerTo('joints', edit.model.joints.length - 1);
         });
     }
@@ -165,14 +193,9 @@ export class SlotTool extends Tool {
     static key = 'o';
     /** @param {Target} target */
     pick(target) {
-        this.edit((edit) => {
-            const point = pointAt(edit, target), [first] = this.picked;
-            if (!first || first === point || !edit.model.point(first)) {
-                this.begin(point);
-                return pointerTo('points', point);
-            }
-            this.cancel();
-            const moving = (/** @type {string} */ at) => edit.model.bodiesAt(at).filter((each) => each !== edit.model.frame);
+        this.pickTwo(target, (edit, first, point) => {
+            const moving = (/** @type {string} */ at) =>
+                edit.model.bodiesAt(at).filter((each) => each !== edit.model.frame);
             const body = moving(first)[0] ?? edit.addBody([first]);
             const slotted = moving(point).find((each) => each !== body) ?? edit.addBody([point]);
             edit.addSlot(first, body, slotted, point);
@@ -188,22 +211,20 @@ export class GearTool extends Tool {
     static kind = 'gear';
     /** @param {Target} target */
     pick(target) {
-        this.edit((edit) => {
-            const point = pointAt(edit, target, 'O'), [first] = this.picked;
-            if (!first || first === point || !edit.model.point(first)) {
-                this.begin(point);
-                return pointerTo('points', point);
-            }
-            this.cancel();
+        this.pickTwo(target, (edit, first, point) => {
             const bodies = [first, point].map((each) => {
                 const there = edit.model.bodiesAt(each).find((body) => body !== edit.model.frame);
                 return there ?? edit.addBody([each]);
             });
             const [a, b] = [edit.spots[first], edit.spots[point]];
-            const contact = edit.addPoint({from: first, to: point, ratio: 0.5}, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], 'P');
+            const contact = edit.addPoint(
+                {from: first, to: point, ratio: 0.5},
+                [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
+                'P'
+            );
             edit.addWheels(/** @type {typeof GearTool} */ (this.constructor).kind, bodies, [first, point], contact);
             return pointerTo('points', contact);
-        });
+        }, 'O');
     }
 }
 export class RollingTool extends GearTool {
@@ -218,8 +239,11 @@ export class RollingTool extends GearTool {
  * @param {Target} target
  */
 function bodyAt(bench, target) {
-    const {model} = bench, moving = (/** @type {string} */ point) => model.bodiesAt(point).filter((each) => each !== model.frame);
-    return target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ?? '';
+    const {model} = bench,
+        moving = (/** @type {string} */ point) => model.bodiesAt(point).filter((each) => each !== model.frame);
+    return (
+        target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ?? ''
+    );
 }
 export class DriverTool extends Tool {
     static tool = 'driver';
@@ -265,8 +289,14 @@ export class LoadTool extends Tool {
             this.cancel();
             const bodies = edit.model.bodiesAt(first), moving = bodies.filter((each) => each !== edit.model.frame);
             if (moving.length === 0) return pointerTo('points', first);
-            const at = edit.spots[first], turned = distance(at, target.at) === 0 ? -90 : angle(at, target.at);
-            edit.addForce(first, bodies.length > 1 && edit.model.hingeAt(first) ? '' : moving[0], 100, rounded(Math.round(turned / 5) * 5));
+            const at = edit.spots[first],
+                turned = distance(at, target.at) === 0 ? -90 : angle(at, target.at);
+            edit.addForce(
+                first,
+                bodies.length > 1 && edit.model.hingeAt(first) ? '' : moving[0],
+                100,
+                rounded(Math.round(turned / 5) * 5)
+            );
             return pointerTo('loads', edit.model.loads.length - 1);
         });
     }
@@ -277,13 +307,7 @@ export class SpringTool extends Tool {
     static key = 'k';
     /** @param {Target} target */
     pick(target) {
-        this.edit((edit) => {
-            const point = pointAt(edit, target), [first] = this.picked;
-            if (!first || first === point || !edit.model.point(first)) {
-                this.begin(point);
-                return pointerTo('points', point);
-            }
-            this.cancel();
+        this.pickTwo(target, (edit, first, point) => {
             const [a, b] = [edit.model.bodiesAt(first), edit.model.bodiesAt(point)];
             const pair = a.flatMap((one) => b.map((other) => [one, other])).find(([one, other]) => one !== other);
             if (!pair) return pointerTo('points', point);
@@ -293,5 +317,18 @@ export class SpringTool extends Tool {
     }
 }
 
-export const tools = [SelectTool, PointTool, LinkTool, PlateTool, GroundTool, SliderTool, SlotTool, GearTool, RollingTool, DriverTool,
-    WeightTool, LoadTool, SpringTool];
+export const tools = [
+    SelectTool,
+    PointTool,
+    LinkTool,
+    PlateTool,
+    GroundTool,
+    SliderTool,
+    SlotTool,
+    GearTool,
+    RollingTool,
+    DriverTool,
+    WeightTool,
+    LoadTool,
+    SpringTool
+];

@@ -54,7 +54,11 @@ export class View {
         const [bottom, top] = spots.length > 0 ? [Math.min(...ys), Math.max(...ys)] : [-unit / 2, unit / 2];
         const room = (/** @type {number} */ size) => Math.max(size - 2 * margin, size / 3);
         const most = spots.length > 1 ? Infinity : Math.min(this.width, this.height) / unit;
-        this.scale = Math.min(room(this.width) / Math.max(right - left, 1e-9), room(this.height) / Math.max(top - bottom, 1e-9), most);
+        this.scale = Math.min(
+            room(this.width) / Math.max(right - left, 1e-9),
+            room(this.height) / Math.max(top - bottom, 1e-9),
+            most
+        );
         if (!Number.isFinite(this.scale) || this.scale > 1e8) this.scale = Math.min(this.width, this.height) / unit;
         this.left = (left + right) / 2 - this.width / 2 / this.scale;
         this.top = (bottom + top) / 2 + this.height / 2 / this.scale;

@@ -20,7 +20,8 @@ export function word(key, ...parts) {
  * @param {ParentNode} root
  */
 export function dress(root) {
-    for (const each of root.querySelectorAll('[data-word]')) each.textContent = word(/** @type {HTMLElement} */ (each).dataset.word ?? '');
+    for (const each of root.querySelectorAll('[data-word]'))
+        each.textContent = word(/** @type {HTMLElement} */ (each).dataset.word ?? '');
     for (const each of root.querySelectorAll('[data-label]')) {
         const text = word(/** @type {HTMLElement} */ (each).dataset.label ?? '');
         each.setAttribute('aria-label', text);

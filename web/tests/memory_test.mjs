@@ -21,5 +21,8 @@ function change(i) {
 for (let i = 0; i < settled; ++i) change(i);
 const before = answer.size();
 for (let i = settled; i < changes; ++i) change(i);
-console.log(`memory after ${settled} changes ${(before / 1e6).toFixed(1)} MB, after ${changes} ${(answer.size() / 1e6).toFixed(1)} MB`);
+console.log(
+    `memory after ${settled} changes ${(before / 1e6).toFixed(1)} MB, ` +
+        `after ${changes} ${(answer.size() / 1e6).toFixed(1)} MB`
+);
 if (answer.size() > before) throw new Error('memory grows');

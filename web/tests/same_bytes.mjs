@@ -26,14 +26,31 @@ for (const path of paths) {
     if (whole.failure) throw new Error(`${path}: ${whole.failure}`);
     const figures = ask({...request, want: [], figures: whole.names ?? []}).figures ?? {};
     const file = join(site, path);
-    wanted.push({path, of: 'the sheet and results', request: {file, want: ['json', 'svg']}, pages: whole.sheet ?? [], results: whole.results});
+    wanted.push({
+        path,
+        of: 'the sheet and results',
+        request: {file, want: ['json', 'svg']},
+        pages: whole.sheet ?? [],
+        results: whole.results
+    });
     for (const name of whole.names ?? [])
-        wanted.push({path, of: name, request: {file, figure: name, want: ['svg']}, pages: figures[name] === undefined ? [] : [figures[name]]});
+        wanted.push({
+            path,
+            of: name,
+            request: {file, figure: name, want: ['svg']},
+            pages: figures[name] === undefined ? [] : [figures[name]]
+        });
 }
 const lines = wanted.map(({request}, i) => JSON.stringify({id: i, ...request, to: join(folder, String(i))})).join('\n');
 const run = spawnSync(program, ['batch'], {input: lines, maxBuffer: 1 << 28, encoding: 'utf8'});
 if (run.error) throw run.error;
-const status = new Map(run.stdout.split('\n').filter(Boolean).map((line) => JSON.parse(line)).map((each) => [each.id, each]));
+const status = new Map(
+    run.stdout
+        .split('\n')
+        .filter(Boolean)
+        .map((line) => JSON.parse(line))
+        .map((each) => [each.id, each])
+);
 
 const differ = new Map();
 let compared = 0, bytes = 0;
@@ -42,14 +59,16 @@ const compare = ({path, of}, ours, file) => {
     if (ours === undefined && theirs === undefined) return;
     ++compared;
     bytes += ours?.length ?? 0;
-    if (ours !== theirs) differ.set(path, [...differ.get(path) ?? [], `${of}: ${basename(file)} ${first(ours, theirs)}`]);
+    if (ours !== theirs)
+        differ.set(path, [...(differ.get(path) ?? []), `${of}: ${basename(file)} ${first(ours, theirs)}`]);
 };
 /** Where two texts begin to differ. */
 function first(a, b) {
     if (a === undefined || b === undefined) return a === undefined ? 'only of the program' : 'only of the module';
     let at = 0;
     while (at < a.length && a[at] === b[at]) ++at;
-    return `at ${at}: ${JSON.stringify(a.slice(Math.max(0, at - 30), at + 30))} for ${JSON.stringify(b.slice(Math.max(0, at - 30), at + 30))}`;
+    const about = (whole) => JSON.stringify(whole.slice(Math.max(0, at - 30), at + 30));
+    return `at ${at}: ${about(a)} for ${about(b)}`;
 }
 wanted.forEach((each, i) => {
     if (!status.has(i)) throw new Error(`the program has no answer for ${each.path}, ${each.of}`);
@@ -63,8 +82,17 @@ rmSync(folder, {recursive: true});
 
 for (const [path, all] of differ) console.log(`${path} differs\n    ${all.join('\n    ')}`);
 times.sort((a, b) => b.ms - a.ms);
-console.log(`${paths.length} examples, ${compared} documents of ${(bytes / 1e6).toFixed(1)} MB compared: ${paths.length - differ.size} examples are the same`);
-console.log(`time of an answer: ${(times.reduce((sum, {ms}) => sum + ms, 0) / times.length).toFixed(0)} ms on average, longest ` +
-    times.slice(0, 5).map(({path, ms}) => `${path} ${ms.toFixed(0)}`).join(', '));
+console.log(
+    `${paths.length} examples, ${compared} documents of ${(bytes / 1e6).toFixed(1)} MB compared: ` +
+        `${paths.length - differ.size} examples are the same`
+);
+console.log(
+    `time of an answer: ${(times.reduce((sum, {ms}) => sum + ms, 0) / times.length).toFixed(0)} ms on average, ` +
+        'longest ' +
+        times
+            .slice(0, 5)
+            .map(({path, ms}) => `${path} ${ms.toFixed(0)}`)
+            .join(', ')
+);
 if (paths.length < 50 || compared < 3 * paths.length) throw new Error('too little was compared');
 process.exit(differ.size === 0 ? 0 : 1);

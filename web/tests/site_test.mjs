@@ -1,5 +1,5 @@
-// node web/tests/site_test.mjs SITE: the static site in Chromium, as a visitor has it: it answers, keeps its policy, says
-// nothing to the console, asks no other host, and goes on without a network. Prints sizes and times.
+// node web/tests/site_test.mjs SITE: the static site in Chromium, as a visitor has it: it answers, keeps its
+// policy, says nothing to the console, asks no other host, and goes on without a network. Prints sizes and times.
 import assert from 'node:assert/strict';
 import {createServer} from 'node:http';
 import {readFileSync, readdirSync, statSync} from 'node:fs';
@@ -10,22 +10,30 @@ import {chromium} from '../../tests/live/node_modules/playwright-core/index.mjs'
 
 const [site] = process.argv.slice(2), most = 3e6;  // bytes of the first load
 const types = {
-    '.css': 'text/css', '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.svg': 'image/svg+xml',
-    '.wasm': 'application/wasm', '.webmanifest': 'application/manifest+json',
+    '.css': 'text/css',
+    '.html': 'text/html',
+    '.js': 'text/javascript',
+    '.json': 'application/json',
+    '.svg': 'image/svg+xml',
+    '.wasm': 'application/wasm',
+    '.webmanifest': 'application/manifest+json'
 };
 const asked = [], messages = [];
 let server, address, browser, context, page;
 
 before(async () => {
     server = createServer((request, response) => {
-        const path = normalize(new URL(request.url, 'http://localhost').pathname), file = join(site, path.endsWith('/') ? `${path}index.html` : path);
+        const path = normalize(new URL(request.url, 'http://localhost').pathname),
+            file = join(site, path.endsWith('/') ? `${path}index.html` : path);
         asked.push(path);
         try {
             const body = readFileSync(file);
             response.writeHead(200, {
                 'Content-Type': types[extname(file)] ?? 'text/plain',
                 // A worker has the policy that it is sent with.
-                'Content-Security-Policy': path.endsWith('worker.js') ? "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'" : "frame-ancestors 'none'",
+                'Content-Security-Policy': path.endsWith('worker.js')
+                    ? "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'"
+                    : "frame-ancestors 'none'"
             });
             response.end(body);
         } catch {
@@ -34,7 +42,10 @@ before(async () => {
     });
     await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
     address = `http://127.0.0.1:${server.address().port}/`;
-    browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--disable-gpu', '--disable-dev-shm-usage']});
+    browser = await chromium.launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        args: ['--disable-gpu', '--disable-dev-shm-usage']
+    });
     context = await browser.newContext();
     page = await context.newPage();
     page.on('console', (message) => messages.push(message.text()));
@@ -47,7 +58,8 @@ after(async () => {
     server.closeAllConnections();
 });
 
-const isReady = () => page.waitForFunction(() => document.documentElement.dataset.ready === 'true', undefined, {timeout: 60_000});
+const isReady = () =>
+    page.waitForFunction(() => document.documentElement.dataset.ready === 'true', undefined, {timeout: 60_000});
 /** What the page's engine answers, and how long it took, ms. */
 const ask = (example, want) => page.evaluate(async ([path, wanted]) => {
     const text = await (await fetch(path)).text(), start = performance.now();
@@ -56,10 +68,19 @@ const ask = (example, want) => page.evaluate(async ([path, wanted]) => {
 }, [example, want]);
 
 test('the first load is at most 3 MB compressed', () => {
-    const files = readdirSync(site).filter((name) => statSync(join(site, name)).isFile()).map((name) => readFileSync(join(site, name)));
+    const files = readdirSync(site)
+        .filter((name) => statSync(join(site, name)).isFile())
+        .map((name) => readFileSync(join(site, name)));
     const sum = (pack) => files.reduce((bytes, file) => bytes + pack(file).length, 0);
-    const [plain, gzip, brotli] = [sum((file) => file), sum((file) => gzipSync(file, {level: 9})), sum((file) => brotliCompressSync(file))];
-    console.log(`first load ${(plain / 1e6).toFixed(2)} MB, gzip ${(gzip / 1e6).toFixed(2)} MB, brotli ${(brotli / 1e6).toFixed(2)} MB`);
+    const [plain, gzip, brotli] = [
+        sum((file) => file),
+        sum((file) => gzipSync(file, {level: 9})),
+        sum((file) => brotliCompressSync(file))
+    ];
+    console.log(
+        `first load ${(plain / 1e6).toFixed(2)} MB, gzip ${(gzip / 1e6).toFixed(2)} MB, ` +
+            `brotli ${(brotli / 1e6).toFixed(2)} MB`
+    );
     assert.ok(gzip < most, `${gzip} bytes`);
 });
 test('the page opens and its engine answers', async () => {
@@ -68,8 +89,11 @@ test('the page opens and its engine answers', async () => {
     await isReady();
     console.log(`usable after ${(performance.now() - start).toFixed(0)} ms`);
     for (const example of ['examples/four_bar.json', 'examples/exam_2001.json']) {
-        await ask(example, ['position']);  // the functions are compiled as they are called
-        for (const want of [['position'], ['position', 'mobility', 'results', 'values', 'sentences', 'names', 'sheet']]) {
+        await ask(example, ['position']); // the functions are compiled as they are called
+        for (const want of [
+            ['position'],
+            ['position', 'mobility', 'results', 'values', 'sentences', 'names', 'sheet']
+        ]) {
             const times = [];
             for (let i = 0; i < 5; ++i) {
                 const {answer, ms} = await ask(example, want);
@@ -83,13 +107,20 @@ test('the page opens and its engine answers', async () => {
     }
 });
 test('a file with faults has them named, and any text is answered', async () => {
-    const answers = await page.evaluate(() => Promise.all(['', '{', '{"kinegraph": 1}', '[[[['.repeat(100_000), '\u0000'].map((text) =>
-        workbench.engine.answer({text, name: 'any.json', want: ['position', 'results']}))));
+    const answers = await page.evaluate(() =>
+        Promise.all(
+            ['', '{', '{"kinegraph": 1}', '[[[['.repeat(100_000), '\u0000'].map((text) =>
+                workbench.engine.answer({text, name: 'any.json', want: ['position', 'results']})
+            )
+        )
+    );
     for (const answer of answers) assert.equal(answer.failure, undefined);
     assert.ok(answers.slice(1).every(({faults}) => faults.length > 0));
 });
 test('the policy allows what the page has, and no more', async () => {
-    const policy = await page.evaluate(() => document.querySelector('meta[http-equiv="Content-Security-Policy"]').content);
+    const policy = await page.evaluate(
+        () => document.querySelector('meta[http-equiv="Content-Security-Policy"]').content
+    );
     assert.match(policy, /^default-src 'none';/);
     assert.doesNotMatch(policy, /unsafe-inline|'unsafe-eval'|\*|https?:/);
     assert.match(policy, /script-src 'self' 'wasm-unsafe-eval'/);
@@ -107,5 +138,6 @@ test('without a network it works as before', async () => {
 test('nothing was said to the console, and no other host was asked', () => {
     assert.deepEqual(messages, []);
     assert.ok(asked.length > 10);
-    for (const each of asked.filter((url) => !/^(blob|data|about):/.test(url))) assert.ok(each.startsWith('/') || each.startsWith(address), each);
+    for (const each of asked.filter((url) => !/^(blob|data|about):/.test(url)))
+        assert.ok(each.startsWith('/') || each.startsWith(address), each);
 });
