@@ -13,8 +13,9 @@
 namespace kinegraph::app {
 namespace {
 
-/// How ffmpeg writes a film of drawings: sharp lines, and colours that every player knows.
-std::vector<std::string> encoding(FilmKind kind) {
+/// How ffmpeg writes a film of drawings: sharp lines, and colours that every player knows. `last`: how long the last
+/// picture stands, in hundredths of a second.
+std::vector<std::string> encoding(FilmKind kind, long last) {
     switch (kind) {
         case FilmKind::mp4:
             return {"-c:v", "libx264",  "-preset", "medium",    "-tune",      "animation", "-crf",
@@ -24,11 +25,13 @@ std::vector<std::string> encoding(FilmKind kind) {
                     "4",    "-row-mt",    "1",    "-pix_fmt", "yuv420p", "-f", "webm"};
         case FilmKind::gif: break;
     }
-    // A palette for each picture, so that no more than one is in memory.
-    const std::string palettes =
-        "[0:v]split[a][b];[a]palettegen=stats_mode=single[p];"
+    // A picture that stands is written once (as one of each frame it took forty times the bytes). A palette for each
+    // picture, so that no more than one is in memory.
+    const std::string pictures =
+        "[0:v]mpdecimate=max=0:hi=1:lo=1:frac=0,split[a][b];[a]palettegen=stats_mode=single[p];"
         "[b][p]paletteuse=new=1:dither=none:diff_mode=rectangle";
-    return {"-filter_complex", palettes, "-loop", "0", "-f", "gif"};
+    return {"-filter_complex",    pictures, "-fps_mode", "vfr", "-loop", "0", "-final_delay",
+            std::to_string(last), "-f",     "gif"};
 }
 
 /// "00:01:02.400"
@@ -78,7 +81,8 @@ tl::expected<std::string, Words> film_of(const std::vector<Shot>& shots, int rat
                                    "-y",     "-f",           "image2pipe", "-framerate", std::to_string(rate),
                                    "-c:v",   "png",          "-i",         "pipe:0",     "-map_metadata",
                                    "-1",     "-fflags",      "+bitexact",  "-flags",     "+bitexact"};
-    for (std::string& word : encoding(kind)) words.push_back(std::move(word));
+    const long last = shots.empty() ? 0 : 100L * shots.back().frames / rate;
+    for (std::string& word : encoding(kind, last)) words.push_back(std::move(word));
     // By this name and not as a pipe, because the head of an mp4 is written last.
     words.emplace_back("file:/proc/self/fd/1");
     std::size_t shot = 0;

@@ -35,6 +35,16 @@ def test_the_steps_with_captions(folder, ending, codec):
     assert folder.files("a*") and len(folder.files("*")) == 2
 
 
+def test_a_picture_that_stands_is_once_in_a_gif(folder):
+    folder.kinegraph("solve", "slider_crank", "-o", "a.gif", "--height", "360")
+    folder.kinegraph("solve", "slider_crank", "-o", "slide.png", "--steps", "--slides", "--dpi", "20")
+    stands = [float(time) for time in folder.run("ffprobe", "-v", "error", "-show_entries", "packet=duration_time",
+                                                 "-of", "csv=p=0", "a.gif").split()]
+    assert 5 < len(stands) <= len(folder.files("slide*"))
+    # Two slides that look alike stand as one picture.
+    assert all(2 <= time <= 30 for time in stands), stands
+
+
 def test_a_motion(folder):
     folder.kinegraph("sweep", "four_bar", "-o", "a.mp4", "-o", "a.gif", "--frames", "12", "--height", "360", "--trace",
                      "B")
