@@ -121,6 +121,9 @@ void SpinRecipes<plane>::spin_from_parallels(Track<plane>& track, const Step& st
     const Chain<plane> second = chains_.chain(track, step.second);
     pen_.draw_line(track, first.line, first.reason, {first.end.element});
     pen_.draw_line(track, second.line, second.reason, {second.end.element});
+    // The planner has found it on a board of its own; the record depends on it, too: elsewhere they need not be.
+    const bool are_parallel = board_.parallel(board_.direction(first.line), board_.direction(second.line));
+    KG_ASSERT(are_parallel, "the planner takes this step where the directions are parallel");
     // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the
     // second.
     const auto join = chains_.diagram().join(step.first.holds(), step.second.holds());
