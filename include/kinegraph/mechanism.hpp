@@ -31,7 +31,7 @@ struct SolveOptions {
 struct PositionsWanted {
     /// Coordinates of the driver: "30°", "20 mm", "every 30°"; for a driver with a law also times: "0.2 s".
     std::vector<std::string> at;
-    std::string driver;       ///< name of its body, joint or point; empty: the first driver of the file
+    std::string driver = {};  ///< name of its body, joint or point; empty: the first driver of the file
     int branch = 0;           ///< branch to take if the drawn position is a change point, from 1; 0: the first
     std::string dashes = {};  ///< stands before the names of these options in messages: "--" in a command line's
 };
