@@ -24,7 +24,10 @@ after(async () => {
 const run = (...words) => execFileSync(program, words, {stdio: ['ignore', 'pipe', 'ignore']});
 function pageOf(name, file = join(examples, `${name}.json`), ...options) {
     const out = join(folder, `${name}.html`);
-    if (!existsSync(out)) run('solve', file, ...options, '-o', out);
+    if (!existsSync(out)) {
+        const {status} = spawnSync(program, ['solve', file, ...options, '-o', out]);
+        assert.ok([0, 3].includes(status), `${file}: status ${status}`);  // 3: some of it has no answer, as at a dead point
+    }
     return out;
 }
 /** The page as it opens, at its first step. */
@@ -41,22 +44,29 @@ const quiet = () => assert.deepEqual(messages, []);
 
 // --- the interpreter ----------------------------------------------------------------------------------------------------------
 
-const followed = [
-    'four_bar', 'slider_crank', 'slider_crank_law', 'watt_six_bar', 'quick_return', 'exam_2001', 'geneva_wheel', 'cam_roller_follower',
-    'planetary_train', 'jansen_leg', 'five_bar', 'peaucellier', 'scotch_yoke', 'stephenson_1_driver_2', 'whitworth', 'lever_on_springs',
-    'elliptic_trammel', 'rack_and_pinion', 'disc_on_line', 'slider_crank_offset',
-];
-for (const name of followed) {
-    test(`${name}: every value in 72 positions is the sweep's`, () => {
-        const page = readPage(pageOf(name));
-        const sweep = JSON.parse(run('sweep', join(examples, `${name}.json`), '--steps', '72', '-o', '-', '--format', 'json'));
-        const found = differences(page, sweep);
-        assert.deepEqual(found.missing, []);
-        assert.ok(found.compared >= 60 * page.data.moving.columns.length, `${found.compared} values`);
-        assert.ok(found.worst.share <= 1e-9, JSON.stringify(found.worst));
-        assert.ok(Buffer.byteLength(page.html) <= ({four_bar: 320e3, exam_2001: 640e3}[name] ?? 1e6));
-    });
+/** The rows of an example's cycle; null where nothing moves it alone. Status 3 says that rows are left out. */
+function sweepOf(name) {
+    const words = ['sweep', join(examples, `${name}.json`), '--steps', '72', '-o', '-', '--format', 'json'];
+    const {status, stdout} = spawnSync(program, words, {maxBuffer: 1e8});
+    return stdout.length > 0 && [0, 3].includes(status) ? JSON.parse(stdout) : null;
 }
+
+test('every value of every example in 72 positions is the sweep\'s', () => {
+    const names = readdirSync(examples).filter((file) => file.endsWith('.json')).map((file) => file.slice(0, -5));
+    let moving = 0;
+    for (const name of names) {
+        const sweep = sweepOf(name);
+        if (!sweep) continue;
+        ++moving;
+        const page = readPage(pageOf(name));
+        const found = differences(page, sweep);
+        assert.deepEqual(found.missing, [], name);
+        assert.ok(found.compared >= 60 * page.data.moving.columns.length, `${name}: ${found.compared} values`);
+        assert.ok(found.worst.share <= 1e-9, `${name}: ${JSON.stringify(found.worst)}`);
+        assert.ok(Buffer.byteLength(page.html) <= ({four_bar: 320e3, exam_2001: 640e3}[name] ?? 1e6), name);
+    }
+    assert.ok(moving >= 50, `${moving} examples`);
+});
 
 test('three times the load is three times the forces, and nothing else', () => {
     const {data, Motion} = readPage(pageOf('cutting_force')), motion = new Motion(data.moving);
