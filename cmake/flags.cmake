@@ -3,9 +3,12 @@ if(PROJECT_IS_TOP_LEVEL)
     if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
     endif()
-    set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-    if(KINEGRAPH_WEB)
-        set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")  # emcc optimises the whole when it links
+    # -O2 takes 1.4 times as long to compile and makes no command faster by more than a twentieth: the time goes into
+    # GMP and into allocation.
+    set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        # A compiler that collects its garbage less often is faster by a tenth, for a quarter more memory.
+        string(APPEND CMAKE_CXX_FLAGS_RELEASE " --param ggc-min-expand=200 --param ggc-min-heapsize=500000")
     endif()
     set(CMAKE_CXX_EXTENSIONS OFF)
     set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
