@@ -27,7 +27,7 @@ bool wants(const SolveRequest& request, const char* what) {
     return std::find(request.with.begin(), request.with.end(), what) != request.with.end();
 }
 
-/// Reads and solves the file; a status after an error was reported. `sentences`: whether they are to be drawn.
+/// Reads and solves the file; a status after an error was reported. `sentences`: whether they are to be shown.
 tl::expected<std::vector<Solved>, Status> solutions_of(const SolveRequest& request, const std::string& text,
                                                        bool sentences) {
     const Words name = spoken(request.file);
@@ -257,7 +257,10 @@ tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std:
         say(spoken(request.file), text.error(), language);
         return tl::unexpected(Status::bad_input);
     }
-    const auto solved = solutions_of(request, *text, any_drawn(targets));
+    const bool has_sentences = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+        return target.is_drawn() || target.format == Format::ggb;
+    });
+    const auto solved = solutions_of(request, *text, has_sentences);
     if (!solved) return tl::unexpected(solved.error());
 
     Outcome outcome;

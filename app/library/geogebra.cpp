@@ -7,12 +7,18 @@
 
 namespace kinegraph {
 
-Expected<GeoGebraFile> geogebra_file(const Solved& solved, const DrawingOptions& options) {
+Expected<std::string> geogebra_xml(const Solved& solved, const DrawingOptions& options) {
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
     if (!solved.state().source) return refused(Diagnostic::Kind::bad_input, {lang::library::geogebra_takes_the_drawn});
-    const auto xml = render::geogebra_xml(solved.state().solution, sheet->theme, options.language);
+    auto xml = render::geogebra_xml(solved.state().solution, sheet->theme, options.language);
     if (!xml) return refused(Diagnostic::Kind::bad_input, xml.error());
+    return *std::move(xml);
+}
+
+Expected<GeoGebraFile> geogebra_file(const Solved& solved, const DrawingOptions& options) {
+    const auto xml = geogebra_xml(solved, options);
+    if (!xml) return tl::unexpected(xml.error());
     auto archive = render::packed({{"geogebra.xml", *xml}});
     if (!archive) return refused(Diagnostic::Kind::output, archive.error());
     GeoGebraFile file{*std::move(archive), {}};

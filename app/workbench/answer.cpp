@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <kinegraph/mechanism.hpp>
+#include <kinegraph/motion.hpp>
 #include <kinegraph/request.hpp>
 #include <kinegraph/sheet.hpp>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,7 @@ public:
             add_texts("remarks", *remarks);
         else
             add_faults(remarks.error(), text_);
+        if (wants("cycle")) add_cycle(*file);
         add_solution(*file);
         return answer_;
     }
@@ -82,7 +84,7 @@ private:
     bool wants(std::string_view what) const { return std::find(want_.begin(), want_.end(), what) != want_.end(); }
     bool wants_drawing() const {
         return !figures_.empty() || wants("sheet") || wants("question") || wants("answers") || wants("live") ||
-               wants("tex") || wants("sentences") || wants("names");
+               wants("tex") || wants("geogebra") || wants("sentences") || wants("names");
     }
     const std::string& in(const Text& text) const { return text.in(options_.drawing.language); }
 
@@ -155,6 +157,19 @@ private:
         answer_["policy"] = {{"script", source("script-src")}, {"style", source("style-src")}};
     }
 
+    void add_cycle(const MechanismFile& file) {
+        auto sweep = Sweep::of(file);
+        if (!sweep) return add_faults(sweep.error(), text_);
+        std::string rows;
+        const auto write = [&rows](std::string_view piece) {
+            rows += piece;
+            return true;
+        };
+        if (const auto written = sweep->write({{RowsText::Form::csv, write}}); !written)
+            return add_faults(written.error(), text_);
+        answer_["cycle"] = std::move(rows);
+    }
+
     void add_solution(const MechanismFile& file) {
         if (!wants_drawing() && !wants("results") && !wants("values")) return;
         const auto with = [&](std::string_view what) {
@@ -190,6 +205,12 @@ private:
             if (wants(key)) add_pages(solved, key, sheet);
         if (wants("tex"))
             if (const auto drawing = draw(solved, options_.drawing)) answer_["tex"] = drawing->tex();
+        if (wants("geogebra")) {
+            if (auto construction = geogebra_xml(solved, options_.drawing))
+                answer_["geogebra"] = *std::move(construction);
+            else
+                add_faults(construction.error(), text_);
+        }
         if (wants("names") || !figures_.empty()) add_figures(solved);
         if (!wants("live")) return;
         if (const auto page = live_page(solved, options_.drawing))

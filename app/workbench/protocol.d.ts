@@ -19,6 +19,10 @@ export type Want =
     | 'sheet' | 'question' | 'answers'
     /** `tex`: the sheet as LaTeX. */
     | 'tex'
+    /** `cycle`: the rows of `kinegraph sweep -o OUT.csv`. */
+    | 'cycle'
+    /** `geogebra`: the construction in the archive that `kinegraph solve -o OUT.ggb` writes. */
+    | 'geogebra'
     /** `live`: the live page, one HTML document with its own Content-Security-Policy. */
     | 'live'
     /** `words`: the texts of the page in the language of the options, by key. */
@@ -94,6 +98,8 @@ export interface Answer {
     question?: string[];
     answers?: string[];
     tex?: string;
+    cycle?: string;
+    geogebra?: string;
     live?: string;
     words?: Record<string, string>;
     /** Sources by hash, "'sha256-…'", for script-src and style-src. */

@@ -142,6 +142,9 @@ struct GeoGebraFile {
 /// language and the theme of the options. Fails for a file without joints, in another position than the drawn one,
 /// where a stroke has no command, and with Kind::output if the library for archives is missing.
 Expected<GeoGebraFile> geogebra_file(const Solved& solved, const DrawingOptions& options = {});
+/// The XML of that construction, "geogebra.xml" in the archive, for programs that pack it themselves. Fails as
+/// geogebra_file() does, but for the library.
+Expected<std::string> geogebra_xml(const Solved& solved, const DrawingOptions& options = {});
 /// The built-in themes.
 std::vector<std::string> theme_names();
 /// Reads the text of a theme file. Fails with all its faults, each with its place.

@@ -8,6 +8,7 @@ import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, beforeEach, test} from 'node:test';
 import {deflateRawSync} from 'node:zlib';
+import {unpacked} from '../geogebra/interpreter.mjs';
 import {close, messages, open, page, protocol, run} from './browser.mjs';
 import {
     cleanUp,
@@ -457,7 +458,7 @@ test('the modes show the solution: the live page in its tabs, the sheet as the p
     assert.deepEqual(messages, []);
 });
 
-test('an example is chosen by its picture; what is shown is taken away as SVG, PNG, TikZ, HTML and JSON', async () => {
+test('an example is chosen by its picture; what is shown is taken away as SVG, PNG, TikZ, HTML, JSON, CSV and GeoGebra', async () => {
     await begin();
     await page.locator('#examples').click();
     await page.locator('#gallery-search').fill('whitworth');
@@ -473,21 +474,27 @@ test('an example is chosen by its picture; what is shown is taken away as SVG, P
         const [file_] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-take=${kind}]`).click()]);
         return {name: file_.suggestedFilename(), bytes: readFileSync(await file_.path())};
     };
-    const told = (format) =>
-        execFileSync(program, ['solve', join(examples, 'whitworth.json'), '-o', '-', '--format', format], {
+    const told = (command, format) =>
+        execFileSync(program, [command, join(examples, 'whitworth.json'), '-o', '-', '--format', format], {
             encoding: 'utf8',
-            maxBuffer: 1e8
+            maxBuffer: 1e8,
+            stdio: ['ignore', 'pipe', 'ignore']
         });
-    for (const [kind, format] of [
-        ['svg', 'svg'],
-        ['tex', 'tex'],
-        ['html', 'html'],
-        ['results', 'json']
+    for (const [kind, command, format] of [
+        ['svg', 'solve', 'svg'],
+        ['tex', 'solve', 'tex'],
+        ['html', 'solve', 'html'],
+        ['results', 'solve', 'json'],
+        ['cycle', 'sweep', 'csv']
     ]) {
         const {name, bytes} = await taken(kind);
         assert.match(name, /^whitworth/);
-        assert.equal(String(bytes), told(format), kind);
+        assert.equal(String(bytes), told(command, format), kind);
     }
+    const archive = await taken('geogebra'), written = join(folder, 'whitworth.ggb');
+    assert.equal(archive.name, 'whitworth.ggb');
+    execFileSync(program, ['solve', join(examples, 'whitworth.json'), '-o', written], {stdio: 'ignore'});
+    assert.deepEqual(unpacked(archive.bytes), unpacked(readFileSync(written)));
     assert.equal(String((await taken('json')).bytes), exampleText('whitworth.json'));
     const png = (await taken('png')).bytes;
     assert.equal(png.subarray(1, 4).toString(), 'PNG');

@@ -1,9 +1,23 @@
 // What can be taken away: the file, results, the sheet as pictures, and print.
+import {archiveOf} from './archive.js';
 import {byId, download, html} from './dom.js';
 import {picture} from './figures.js';
+import {word} from './words.js';
 
 /** @typedef {import('./bench.js').Bench} Bench */
 
+/**
+ * What the engine writes as one text: how it is asked for, and the file that it becomes.
+ * @typedef {{type: string, ending: string, options?: Record<string, string>}} File
+ * @type {Record<string, File & {want: 'results' | 'tex' | 'cycle' | 'live' | 'geogebra'}>}
+ */
+const documents = {
+    results: {want: 'results', type: 'text/plain', ending: '_results.json'},
+    tex: {want: 'tex', type: 'text/plain', ending: '.tex'},
+    cycle: {want: 'cycle', type: 'text/csv', ending: '.csv'},
+    html: {want: 'live', type: 'text/html', ending: '.html', options: {theme: 'colour'}},
+    geogebra: {want: 'geogebra', type: 'application/zip', ending: '.ggb'}
+};
 /** Dots for a unit of the picture: 96 dpi times three. */
 const sharpness = 3;
 
@@ -37,20 +51,19 @@ async function pages(bench) {
 /**
  * @param {Bench} bench
  * @param {string} kind
+ * @param {(text: string) => void} say what the reader is told where there is nothing to take
  */
-export async function take(bench, kind) {
+export async function take(bench, kind, say) {
     const name = stem(bench),
         text = (/** @type {string} */ each, /** @type {string} */ type) => new Blob([each], {type});
     if (kind === 'json') return download(text(bench.document.text, 'application/json'), `${name}.json`);
-    if (kind === 'results' || kind === 'tex') {
-        const answer = await bench.inquiry.other([kind]), found = answer[kind];
-        if (found) download(text(found, 'text/plain'), kind === 'tex' ? `${name}.tex` : `${name}_results.json`);
-        return;
-    }
-    if (kind === 'html') {
-        const {live} = await bench.inquiry.other(['live'], [], {theme: 'colour'});
-        if (live) download(text(live, 'text/html'), `${name}.html`);
-        return;
+    const document_ = documents[kind];
+    if (document_) {
+        const answer = await bench.inquiry.other([document_.want], [], document_.options ?? {});
+        const found = answer[document_.want];
+        if (!found) return say(answer.faults.map((each) => each.text)[0] ?? word('engine_lost'));
+        const blob = kind === 'geogebra' ? archiveOf('geogebra.xml', found) : text(found, document_.type);
+        return download(blob, name + document_.ending);
     }
     if (kind === 'print') return print(bench);
     for (const [i, page] of (await pages(bench)).entries()) {

@@ -104,7 +104,10 @@ async function start() {
     };
     for (const [id, act] of Object.entries(acts)) byId(id).addEventListener('click', act);
     for (const each of document.querySelectorAll('[data-take]'))
-        each.addEventListener('click', () => void take(bench, /** @type {HTMLElement} */ (each).dataset.take ?? ''));
+        each.addEventListener('click', () => {
+            const {take: kind = ''} = /** @type {HTMLElement} */ (each).dataset;
+            void take(bench, kind, (text) => files.say(text));
+        });
     drawWhenChanged(bench, root);
     await files.begin();
     bench.take(new SelectTool(bench));
