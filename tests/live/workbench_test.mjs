@@ -200,32 +200,128 @@ test('a slider-crank with a weight and a force is built by mouse', async () => {
     assert.deepEqual(messages, []);
 });
 
-test('a truss is built by mouse, and its bars have their forces', async () => {
-    await begin();
-    await tool('link');
-    for (const at of [[-80, 0], [-30, 60], [30, 60], [80, 0], [0, 0], [-80, 0]]) await clickAt(at);
-    await page.keyboard.press('Escape');
-    await dragFromTo([0, 0], [-30, 60]);
-    await dragFromTo([0, 0], [30, 60]);
-    await tool('ground');
-    await clickAt([-80, 0]);
-    await tool('slider');
-    await clickAt([80, 0]);
-    await clickAt([80, 0]);
-    await tool('load');
-    await clickAt([0, 0]);
-    await clickAt([0, -50]);
+/** Takes places by the cross of the canvas, with Enter; Escape ends what is drawn. */
+async function enterAt(...places) {
+    for (const at of places) {
+        await crossTo(at);
+        await page.keyboard.press('Enter');
+    }
+}
+const near = (value, wanted, what = '') =>
+    assert.ok(Math.abs(value - wanted) < 1e-9 * Math.max(1, Math.abs(wanted)), `${what}: ${value}, not ${wanted}`);
+const valuesByName = async () =>
+    Object.fromEntries((await run('workbench.answer.values')).map(({name, value}) => [name, value]));
+/** The forces in the bars of a truss of five points on a span of 160, height 60, with 100 N in the middle below. */
+async function isTruss() {
     await settled();
     assert.match(await page.locator('#status').textContent(), /^✓ solved/);
-    const values = Object.fromEntries((await run('workbench.answer.values')).map(({name, value}) => [name, value]));
-    const [a, b, c, d, e] = Object.keys((await file()).points), bar = (one, other) => values[`bar ${one}${other}`];
+    const values = await valuesByName(), [a, b, c, d, e] = Object.keys((await file()).points);
+    const bar = (one, other) => values[`bar ${one}${other}`];
     // By hand: 50 N in each support; the slanting bars rise 60 over 50 and 60 over 30.
-    const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-9, `${value} ${wanted}`);
     near(bar(a, b), -50 * Math.hypot(50, 60) / 60);
     near(bar(a, e), 50 * 50 / 60);
     near(bar(b, e), 50 * Math.hypot(30, 60) / 60);
     near(bar(b, c), -(50 * 50 / 60 + 50 * 30 / 60));
     near(bar(c, d), bar(a, b));
+}
+const round = [[-80, 0], [-30, 60], [30, 60], [80, 0], [0, 0], [-80, 0]];
+
+test('a truss on a roller is built by mouse, and its bars have their forces', async () => {
+    await begin();
+    await tool('link');
+    for (const at of round) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await dragFromTo([0, 0], [-30, 60]);
+    await dragFromTo([0, 0], [30, 60]);
+    await tool('ground');
+    await clickAt([-80, 0]);
+    await tool('roller');
+    await clickAt([80, 0]);
+    await tool('load');
+    await clickAt([0, 0]);
+    await clickAt([0, -50]);
+    await isTruss();
+    const {joints} = await file();
+    assert.equal(joints.filter((each) => each.contact).length, 1);
+    assert.deepEqual(messages, []);
+});
+
+test('a truss is built by the keyboard alone', async () => {
+    await begin();
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('l');
+    await enterAt(...round);
+    await page.keyboard.press('Escape');
+    for (const top of [[-30, 60], [30, 60]]) {
+        await enterAt([0, 0], top);
+        await page.keyboard.press('Escape');
+    }
+    await page.keyboard.press('g');
+    await enterAt([-80, 0]);
+    await page.keyboard.press('u');
+    await enterAt([80, 0]);
+    await page.keyboard.press('f');
+    await enterAt([0, 0], [0, -50]);
+    await isTruss();
+    assert.deepEqual(messages, []);
+});
+
+test('a slider-crank is built by the keyboard alone', async () => {
+    await begin();
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('l');
+    await enterAt([-80, 0], [-50, 40], [70, 0]);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('g');
+    await enterAt([-80, 0]);
+    await page.keyboard.press('s');
+    await enterAt([70, 0], [70, 0]);
+    await page.keyboard.press('d');
+    await enterAt([-80, 0]);
+    await settled();
+    const [, , third] = Object.keys((await file()).points);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    // omega 10: the pin moves with (−400, 300) mm/s; the rod from (−50, 40) to (70, 0) turns by 300/−120 = −2.5.
+    near((await valuesByName())[`vx ${third}`], (-400 - 2.5 * 40) / 1000);
+    assert.deepEqual(messages, []);
+});
+
+test('what is clamped, a couple, discs that slide and a law have tools', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[0, 0], [100, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([0, 0]);
+    await tool('weld');
+    await clickAt([0, 0]);
+    await tool('couple');
+    await clickAt([50, 0]);
+    await settled();
+    const [a] = Object.keys((await file()).points);
+    assert.deepEqual((await file()).joints, [{weld: a, bodies: [1, 2]}]);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    near((await valuesByName())[`C ${a} 1 on 2`], -10);
+
+    await begin();
+    await tool('contact');
+    for (const at of [[0, 0], [60, 0]]) await clickAt(at);
+    await settled();
+    const {joints: [contact], points} = await file(), [p, q, at] = Object.keys(points);
+    assert.deepEqual(contact, {contact: at, bodies: [2, 3], profiles: {2: {circle: p}, 3: {circle: q}}});
+
+    await begin();
+    await tool('link');
+    for (const each of [[0, 0], [40, 30]]) await clickAt(each);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([0, 0]);
+    await tool('driver');
+    await clickAt([20, 15]);
+    await page.locator('#by-law').click();
+    await settled();
+    assert.deepEqual((await file()).drivers, [{body: 2, law: {form: 'cycloidal', turn: '90°', time: '1 s'}}]);
+    assert.deepEqual((await run('workbench.answer')).faults, []);
     assert.deepEqual(messages, []);
 });
 

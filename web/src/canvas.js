@@ -17,6 +17,22 @@ import * as symbols from './symbols.js';
 
 const looks = 5;
 
+/**
+ * A contact of which the file says the tangent only, with the frame.
+ * @param {import('./model.js').JointItem} joint
+ * @param {string} frame
+ */
+const isRoller = ({kind, form, bodies}, frame) => kind === 'contact' && !form.profiles && bodies.includes(frame);
+/**
+ * The angle by which a support is turned so that it stands against what it pushes.
+ * @param {any} pushes
+ * @param {number} turned of the tangent, on the screen
+ */
+function standing(pushes, turned) {
+    const [x, y] = Array.isArray(pushes) ? pushes.map(Number) : [0, 0];
+    return x * Math.sin(turned) + y * Math.cos(turned) < 0 ? turned + Math.PI : turned;
+}
+
 export class Canvas {
     /**
      * @param {SVGSVGElement} root
@@ -170,6 +186,8 @@ export class Canvas {
                 this.add('under', joint.pointer, this.look(joint.bodies[1] ?? ''), symbols.slot(at, turned));
             else if (joint.kind === 'revolute' && joint.bodies.includes(model.frame))
                 this.add('under', joint.pointer, 'frame', symbols.ground(at));
+            else if (isRoller(joint, model.frame))
+                this.add('under', joint.pointer, 'frame', symbols.roller(at, standing(joint.form.pushes, turned)));
             else if (joint.kind !== 'revolute' && joint.kind !== 'weld') this.drawWheels(joint, at, turned);
         }
         for (const point of model.bodyNamed(model.frame)?.points ?? []) {

@@ -154,7 +154,7 @@ export class Edit {
     }
     /**
      * Two wheels about these centres that touch between them.
-     * @param {'gear' | 'rolling'} kind
+     * @param {'gear' | 'rolling' | 'contact'} kind
      * @param {string[]} bodies
      * @param {string[]} centres
      * @param {string} contact
@@ -162,6 +162,54 @@ export class Edit {
     addWheels(kind, bodies, centres, contact) {
         const profiles = Object.fromEntries(bodies.map((each, i) => [each, {circle: centres[i]}]));
         this.add(['joints'], {[kind]: contact, bodies: bodies.map(bodyValue), profiles});
+    }
+    /**
+     * A support that rolls on the frame, level, and only pushes up; the frame's pin at the point becomes one.
+     * @param {string} point
+     * @param {string} body
+     */
+    addRoller(point, body) {
+        const {model} = this, there = model.hingeAt(point), {frame} = model;
+        const support = {
+            contact: point, bodies: [body, frame].map(bodyValue), tangent: 0, pushes: [0, 1]
+        };
+        const others = there ? there.bodies.filter((each) => each !== frame) : [];
+        if (!there?.bodies.includes(frame)) this.add(['joints'], support);
+        else if (others.length < 2) this.set(there.path, support);
+        else {
+            this.set([...there.path, 'bodies'], others.map(bodyValue));
+            this.add(['joints'], support);
+        }
+    }
+    /**
+     * Clamps together the bodies that a hinge joins.
+     * @param {import('./model.js').JointItem} hinge
+     */
+    addWelds({point, bodies, path}) {
+        const [first, ...others] = bodies.map(bodyValue);
+        others.forEach((each, i) => {
+            const weld = {weld: point, bodies: [first, each]};
+            if (i === 0) this.set(path, weld);
+            else this.add(['joints'], weld);
+        });
+    }
+    /**
+     * A couple on a body, counter-clockwise.
+     * @param {string} body
+     */
+    addCouple(body) {
+        this.add(['loads'], {couple: this.model.freeLoadName('C'), body: bodyValue(body), value: 10});
+    }
+    /**
+     * Gives a driver a law of motion in place of its rates.
+     * @param {Path} path
+     * @param {any} form
+     */
+    addLaw(path, form) {
+        const slide = this.model.unit === 'mm' ? '50 mm' : '0.05 m';
+        for (const rate of ['omega', 'alpha', 'speed', 'acceleration']) if (rate in form) this.remove([...path, rate]);
+        const way = form.body === undefined ? {slide} : {turn: '90°'};
+        this.set([...path, 'law'], {form: 'cycloidal', ...way, time: '1 s'});
     }
     /** @param {string} body */
     addDriver(body) {

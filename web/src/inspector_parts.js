@@ -84,6 +84,13 @@ export function driverFields(bench, path, form) {
             fileField(bench, word('omega'), [...path, 'omega'], {unit: 'rad/s', id: 'omega'}),
             fileField(bench, word('alpha'), [...path, 'alpha'], {unit: 'rad/s²', optional: true, id: 'alpha'})
         );
+    rows.push(
+        html(
+            'div',
+            {class: 'acts'},
+            button(word('drive_by_law'), () => bench.edit((edit) => edit.addLaw(path, form)), 'by-law')
+        )
+    );
     const isMine = (/** @type {any} */ effort) =>
         effort && (slides ? effort.joint === form.joint : String(effort.body) === String(form.body));
     const {effort} = bench.model.file,

@@ -25,6 +25,21 @@ export function ground([x, y]) {
     );
 }
 /**
+ * A support on rollers, below the point where `turned` is 0.
+ * @param {Spot} at
+ * @param {number} turned
+ */
+export function roller([x, y], turned) {
+    const wheels = [-7, 7].map((i) => svg('circle', {class: 'base', cx: i, cy: 25, r: 3.5}));
+    return svg(
+        'g',
+        {class: 'ground', transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`},
+        svg('path', {class: 'base', d: 'M0 0l-11 21h22z'}),
+        ...wheels,
+        svg('path', {d: 'M-20 29h40M-14 29l-6 7M-7 29l-6 7M0 29l-6 7M7 29l-6 7M14 29l-6 7'})
+    );
+}
+/**
  * Two spots: a bar; more: a plate with its outline.
  * @param {Spot[]} spots
  */

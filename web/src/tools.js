@@ -164,6 +164,36 @@ export class GroundTool extends Tool {
         });
     }
 }
+/** A point that rolls on the frame. */
+export class RollerTool extends Tool {
+    static tool = 'roller';
+    static key = 'u';
+    /** @param {Target} target */
+    pick(target) {
+        this.edit((edit) => {
+            const point = pointAt(edit, target);
+            const body = edit.model.bodiesAt(point).find((each) => each !== edit.model.frame);
+            if (!body) return pointerTo('points', point);
+            edit.addRoller(point, body);
+            const support = edit.model.joints.find((each) => each.kind === 'contact' && each.point === point);
+            return support?.pointer;
+        });
+    }
+}
+/** A hinge whose links are clamped together. */
+export class WeldTool extends Tool {
+    static tool = 'weld';
+    static key = 'x';
+    /** @param {Target} target */
+    pick(target) {
+        const hinge = this.bench.model.joints.find((each) => each.kind === 'revolute' && each.point === target.point);
+        if (!hinge || hinge.bodies.length < 2) return;
+        this.edit((edit) => {
+            edit.addWelds(hinge);
+            return hinge.pointer;
+        });
+    }
+}
 /** A slider at a point, then the direction of its guide. */
 export class SliderTool extends Tool {
     static tool = 'slider';
@@ -207,7 +237,7 @@ export class SlotTool extends Tool {
 export class GearTool extends Tool {
     static tool = 'gear';
     static key = 'e';
-    /** @type {'gear' | 'rolling'} */
+    /** @type {'gear' | 'rolling' | 'contact'} */
     static kind = 'gear';
     /** @param {Target} target */
     pick(target) {
@@ -230,8 +260,15 @@ export class GearTool extends Tool {
 export class RollingTool extends GearTool {
     static tool = 'rolling';
     static key = 'r';
-    /** @type {'gear' | 'rolling'} */
+    /** @type {'gear' | 'rolling' | 'contact'} */
     static kind = 'rolling';
+}
+/** Two discs that slide on each other: a cam and its follower. */
+export class ContactTool extends GearTool {
+    static tool = 'contact';
+    static key = 'c';
+    /** @type {'gear' | 'rolling' | 'contact'} */
+    static kind = 'contact';
 }
 /**
  * The body that is meant: that of the bar, or of the point.
@@ -301,6 +338,20 @@ export class LoadTool extends Tool {
         });
     }
 }
+/** The link on which a couple acts. */
+export class CoupleTool extends Tool {
+    static tool = 'couple';
+    static key = 'm';
+    /** @param {Target} target */
+    pick(target) {
+        const body = bodyAt(this.bench, target);
+        if (!body) return;
+        this.edit((edit) => {
+            edit.addCouple(body);
+            return pointerTo('loads', edit.model.loads.length - 1);
+        });
+    }
+}
 /** The two points that a spring joins. */
 export class SpringTool extends Tool {
     static tool = 'spring';
@@ -323,12 +374,16 @@ export const tools = [
     LinkTool,
     PlateTool,
     GroundTool,
+    RollerTool,
+    WeldTool,
     SliderTool,
     SlotTool,
     GearTool,
     RollingTool,
+    ContactTool,
     DriverTool,
     WeightTool,
     LoadTool,
+    CoupleTool,
     SpringTool
 ];
