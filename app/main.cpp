@@ -548,10 +548,11 @@ void add_cam(CLI::App& program, Action& action) {
     CamRequest& request = words->request;
     command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
     command
-        ->add_option("-o,--output", request.outputs,
-                     "OUT.csv (SI units), .svg, .png, .pdf, .tex or .dxf (the sheet), .json (the mechanism file of one "
-                     "position); may be given "
-                     "again. Without it CSV goes to standard output")
+        ->add_option(
+            "-o,--output", request.outputs,
+            "OUT.csv (SI units), .svg, .png, .pdf, .tex or .dxf (the sheet), .html (a page on which the cam turns), "
+            ".json (the mechanism file of one position); may be given again. Without it CSV goes to standard "
+            "output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     add_format(*command, request.format, {"csv", "json", "svg", "png", "pdf", "tex", "dxf"});

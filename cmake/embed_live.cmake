@@ -23,10 +23,11 @@ foreach(name ${modules})
 endforeach()
 file(READ ${SOURCE}/watch.js text)
 literal(watch "${text}")
-file(READ ${SOURCE}/page.css text)
-literal(style "${text}")
-file(READ ${SOURCE}/controls.html text)
-literal(controls "${text}")
+foreach(part page.css controls.html cam.js cam.css cam.html)
+    file(READ ${SOURCE}/${part} text)
+    string(REGEX REPLACE "\nexport {};" "" text "${text}")
+    literal(${part} "${text}")
+endforeach()
 file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
 #include \"render/live/live_page.hpp\"
 
@@ -36,8 +37,11 @@ using std::string_view_literals::operator\"\"sv;  // which knows its length: cou
 
 constinit const std::string_view live_script =${script};
 constinit const std::string_view live_watch_script = ${watch};
-constinit const std::string_view live_style = ${style};
-constinit const std::string_view live_controls = ${controls};
+constinit const std::string_view live_style = ${page.css};
+constinit const std::string_view live_controls = ${controls.html};
+constinit const std::string_view cam_script = ${cam.js};
+constinit const std::string_view cam_style = ${cam.css};
+constinit const std::string_view cam_controls = ${cam.html};
 
 }  // namespace kinegraph::render
 ")

@@ -1,6 +1,8 @@
 // cam FILE: computes the disc cam that gives its follower a law, solves every position of it as a mechanism and
 // compares the result with the law.
 
+#include <algorithm>
+
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "lang/keys/common.hpp"
@@ -24,11 +26,18 @@ Status run(const CamRequest& request, const std::vector<Target>& targets, const 
         if (target.format == Format::csv) outputs.push_back({target.path, cycle->csv()});
         if (target.format == Format::json) outputs.push_back({target.path, cycle->mechanism()});
     }
-    if (any_drawn(targets)) {
+    for (const Target& target : targets) {
+        if (!target.is_page()) continue;
+        auto page = live_page(*cycle, drawing);
+        if (!page) return cannot_draw(name, page.error(), language);
+        outputs.push_back({target.path, std::move(page->html)});
+    }
+    const auto is_sheet = [](const Target& target) { return target.is_drawn() && !target.is_page(); };
+    if (std::any_of(targets.begin(), targets.end(), is_sheet)) {
         const auto drawn = draw(*cycle, drawing);
         if (!drawn) return cannot_draw(name, drawn.error(), language);
         for (const Target& target : targets)
-            if (target.is_drawn())
+            if (is_sheet(target))
                 if (const auto failed =
                         print(*drawn, target, {language, request.lettering, request.dpi}, outputs, remarks))
                     return *failed;
@@ -46,7 +55,7 @@ Status run(const CamRequest& request, const std::vector<Target>& targets, const 
 
 Status cam_command(const CamRequest& request) {
     const Language language = request.sheet.language;
-    constexpr auto formats = drawings_and(Format::csv, Format::json);
+    constexpr auto formats = drawings_and(Format::html, Format::csv, Format::json);
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});

@@ -11,6 +11,7 @@
 #include "engine/motion/closure.hpp"
 #include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/live/cam_page.hpp"
 #include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
@@ -68,9 +69,10 @@ public:
                       lang::sheet::rise_angle_acceleration);
         }
         add_named("pressure angle", QuantityKind::angle, lang::sheet::pressure_angle);
-        for (const CamState& state : drawn_states())
-            table.rows.push_back(
-                {state.turn, state.rise.s, cycle_.speed(state), cycle_.acceleration(state), state.pressure_angle});
+        for (const CamState& state : drawn_states()) {
+            const auto [rise, speed, acceleration, pressure] = values_of(state);
+            table.rows.push_back({state.turn, rise, speed, acceleration, pressure});
+        }
         table.facts = cycle_.facts();
         for (Words& jump : cycle_.jumps()) table.facts.push_back(std::move(jump));
         return table;
@@ -100,12 +102,52 @@ public:
         }
         std::vector<render::Way> ways = inversion();
         ways.insert(ways.end(), {base, profile});
-        if (cycle_.is_flat()) ways.push_back(plate());
+        if (cycle_.is_flat())
+            ways.push_back(
+                {.name = "plate", .is_path = true, .places = plate(geometry_.at(cycle_.at)), .outline = BodyIndex(2)});
         if (cam_.follower.face == Follower::Face::roller) ways.push_back(pitch);
         return ways;
     }
 
+    /// At the beginning of the law, for the page on which the cam turns.
+    render::CamPicture picture() const {
+        constexpr int samples = 720;
+        render::CamPicture picture;
+        picture.profile = working_profile(cam_, geometry_, samples);
+        picture.base = cam_.base_circle.to_double();
+        const CamState first = geometry_.at(0);
+        picture.trace = first.trace;
+        if (cycle_.is_flat()) picture.face = plate(first);
+        if (cam_.follower.face == Follower::Face::roller) {
+            picture.roller = cam_.follower.radius.to_double();
+            for (int i = 0; i <= samples; ++i) {
+                const CamState state = geometry_.at(2 * std::numbers::pi * i / samples);
+                picture.pitch.push_back(state.on_cam(state.trace, geometry_.sense()));
+            }
+        }
+        if (!cycle_.translates())
+            picture.pivot = Spot{cam_.follower.pivot.x.to_double(), cam_.follower.pivot.y.to_double()};
+        return picture;
+    }
+    render::CamRows rows() const {
+        constexpr int intervals = 720;
+        render::CamRows rows;
+        rows.columns.resize(4);
+        for (int i = 0; i <= intervals; ++i) {
+            const CamState state = geometry_.at(2 * std::numbers::pi * i / intervals);
+            const std::array values = values_of(state);
+            for (std::size_t column = 0; column < values.size(); ++column)
+                rows.columns[column].push_back(values[column]);
+            rows.states.push_back(state);
+        }
+        return rows;
+    }
+
 private:
+    /// Rise, speed, acceleration, pressure angle.
+    std::array<double, 4> values_of(const CamState& state) const {
+        return {state.rise.s, cycle_.speed(state), cycle_.acceleration(state), state.pressure_angle};
+    }
     /// As many states as a plot shows; where the law jumps, both sides.
     std::vector<CamState> drawn_states() const {
         const std::vector<LawBreak> breaks = breaks_of_cycle(cam_.law);
@@ -174,16 +216,14 @@ private:
     }
     /// A flat face, perpendicular to the motion: as long as the part touched over the whole turn, with a margin at both
     /// ends.
-    render::Way plate() const {
+    std::vector<Spot> plate(const CamState& state) const {
         constexpr double beyond = 0.12, thickness = 0.09;  // of the base circle's radius
         const double radius = cam_.base_circle.to_double();
-        const CamState state = geometry_.at(cycle_.at);
         const Spot along = quarter_turn(state.outward), foot = dot(state.outward, state.contact) * state.outward;
         const Spot from = foot + ((*cycle_.summary.face)[0] - beyond * radius) * along;
         const Spot to = foot + ((*cycle_.summary.face)[1] + beyond * radius) * along;
         const Spot up = thickness * radius * state.outward;
-        return {
-            .name = "plate", .is_path = true, .places = {from, to, to + up, from + up, from}, .outline = BodyIndex(2)};
+        return {from, to, to + up, from + up, from};
     }
 
     const CamCycle::State& cycle_;
@@ -208,6 +248,23 @@ Expected<Drawing> draw(const CamCycle& cycle, const DrawingOptions& options) {
                 render::notes_of(state.cam(), state.geometry(), state.at, rows, drawn->mechanism, sheet.language);
             return render::lay_out_cycle(*drawn, rows, {{1}, {2}, {3}, {4}}, scene.curves(), sheet, fonts, &notes);
         });
+}
+
+Expected<LivePage> live_page(const CamCycle& cycle, const DrawingOptions& options) {
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    const CamCycle::State& state = cycle.state();
+    const auto drawn = drawn_at(state.cam(), state.geometry(), 0);
+    if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
+    const CamScene scene(state, sheet->language);
+    const CycleTable table = scene.table(*drawn);
+    const render::CamNotes notes =
+        render::notes_of(state.cam(), state.geometry(), 0, table, drawn->mechanism, sheet->language);
+    std::vector<std::string> facts;
+    for (const Words& fact : table.facts) facts.push_back(fact.in(sheet->language));
+    return LivePage{render::cam_page(state.cam().title, state.geometry(), scene.picture(), scene.rows(), table, notes,
+                                     facts, drawn->mechanism, *sheet, dark_beside(options)),
+                    {}};
 }
 
 }  // namespace kinegraph

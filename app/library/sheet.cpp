@@ -36,6 +36,10 @@ Expected<const render::Fonts*> fonts_of_thread() {
     return &*fonts;
 }
 
+std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
+    return options.theme_file.empty() && options.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
+}
+
 namespace {
 
 using Paper = DrawingOptions::Paper;
@@ -65,12 +69,6 @@ Expected<render::Theme> theme_of(const DrawingOptions& options) {
     std::string known;
     for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
     return refused(Diagnostic::Kind::bad_input, Words(lang::library::there_is_no_theme_there, options.theme, known));
-}
-
-/// The theme of a live page on dark screens. The built-in colour theme is combined with the dark one; any other choice
-/// is used as it is.
-std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
-    return options.theme_file.empty() && options.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
 }
 
 /// Codes of characters ("U+4E2D"), each once.

@@ -80,6 +80,9 @@ ResultValue value_of(const NamedResult& result, const Solution& solution);
 
 /// Error: the faults of a theme file, or an unknown theme name.
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
+/// The theme of a live page on dark screens. The built-in colour theme is combined with the dark one; any other choice
+/// is used as it is.
+std::optional<render::Theme> dark_beside(const DrawingOptions& options);
 
 /// Calls `lay_out` with the options and the thread's fonts, and notes missing characters. Errors: those of
 /// sheet_options_of() and of `lay_out`, a missing font.

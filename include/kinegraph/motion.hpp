@@ -227,5 +227,8 @@ private:
 /// Draws the cam and its follower with the construction of the profile, its data, and plots of the motion and of the
 /// pressure angle. Fails as draw() of a solution does.
 Expected<Drawing> draw(const CamCycle& cycle, const DrawingOptions& options = {});
+/// Makes the page on which the cam turns with its true profile and the follower keeps its law, in the language of the
+/// options; ignores the paper. Fails as draw() does.
+Expected<LivePage> live_page(const CamCycle& cycle, const DrawingOptions& options = {});
 
 }  // namespace kinegraph

@@ -10,6 +10,7 @@ import {after, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 import {close, messages, open as openAt, page as tab, protocol, run as see} from './browser.mjs';
 import {differences, kindOf, readPage} from './page.mjs';
+import './cam_test.mjs';
 import './watch_test.mjs';
 
 const [program, examples] = process.argv.slice(2);
