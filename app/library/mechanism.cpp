@@ -16,6 +16,7 @@
 #include "engine/motion/mobility.hpp"
 #include "engine/reading/forms.hpp"
 #include "engine/reading/schema.hpp"
+#include "engine/results/results.hpp"
 #include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"

@@ -6,6 +6,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/results/result_expression.hpp"
+#include "engine/results/results.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"

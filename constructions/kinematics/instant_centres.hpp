@@ -12,7 +12,7 @@
 #include "constructions/kinematics/space_diagram.hpp"
 #include "constructions/kinematics/structure.hpp"
 #include "engine/motion/mobility.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/motion.hpp"
 
 namespace kinegraph {
 

@@ -12,7 +12,8 @@
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
+#include "engine/solution/motion.hpp"
 
 namespace kinegraph {
 

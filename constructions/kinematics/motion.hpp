@@ -16,7 +16,7 @@
 #include "constructions/kinematics/plan.hpp"
 #include "constructions/kinematics/structure.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/motion.hpp"
 
 namespace kinegraph {
 

@@ -7,7 +7,7 @@
 
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/motion.hpp"
 
 namespace kinegraph {
 

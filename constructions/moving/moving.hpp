@@ -3,9 +3,10 @@
 
 #include "constructions/moving/moving_parameters.hpp"
 #include "engine/solution/moving.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// Limits of what a live page moves: beyond them every driver's travel would take minutes to plan.
 constexpr std::size_t most_moved_bodies = 40, most_moved_drivers = 12;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/solution/bindings.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "engine/solution/moving.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// Elements of forces (under all loads and under those of one body alone), of curvature and of powers. A quantity that
 /// vanishes has no element.

@@ -7,6 +7,7 @@
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/positions.hpp"
 

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "constructions/positions/named_results.hpp"
+#include "engine/drawing/pose.hpp"
 #include "engine/mechanism/exercise.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// Whether a comparison holds. Values that differ by less than 1e-9 of the larger are equal. Errors: a result that does
 /// not exist (bad input, or no unique answer), or of another kind than the one it is compared with.

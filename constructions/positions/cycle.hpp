@@ -12,7 +12,7 @@
 
 #include "engine/motion/positions.hpp"
 #include "engine/sentences/column.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
 
 namespace kinegraph {
 

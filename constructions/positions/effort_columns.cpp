@@ -5,6 +5,7 @@
 
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 

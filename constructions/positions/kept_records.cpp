@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "constructions/positions/named_results.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 

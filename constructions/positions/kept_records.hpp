@@ -9,9 +9,10 @@
 
 #include "engine/board/replay.hpp"
 #include "engine/sentences/column.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 class KeptRecords {
 public:

@@ -9,9 +9,10 @@
 #include "engine/mechanism/exercise.hpp"
 #include "engine/number/exact.hpp"
 #include "engine/sentences/column.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// One value of a solution that a column can contain. Without an element it is zero.
 struct FoundValue {

@@ -11,7 +11,6 @@
 #include "engine/check/check_forces.hpp"
 #include "engine/motion/positions.hpp"
 #include "engine/motion/repositioned.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 

@@ -12,6 +12,7 @@
 
 #include "constructions/positions/conditions.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 

@@ -7,6 +7,7 @@
 
 #include "constructions/kinematics/degeneracy.hpp"
 #include "engine/board/board.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/phrases.hpp"
 
 namespace kinegraph {

@@ -7,9 +7,10 @@
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/plan.hpp"
 #include "constructions/kinematics/structure.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// A motion that was drawn, with its inputs.
 struct DrawnMotion {

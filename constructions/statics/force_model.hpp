@@ -15,7 +15,7 @@
 #include "constructions/statics/force_nouns.hpp"
 #include "constructions/statics/forces/loads_of_members.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
 
 namespace kinegraph::statics {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph::statics {
 

@@ -15,7 +15,9 @@
 
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/motion/mobility.hpp"
+#include "engine/solution/findings.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "constructions/statics/force_model.hpp"
+#include "engine/motion/mobility.hpp"
 
 namespace kinegraph::statics {
 

@@ -7,7 +7,7 @@
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph {
 

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// Values of the check for a solution.
 struct Comparison {

@@ -8,6 +8,7 @@
 #include "engine/check/check_forces.hpp"
 #include "engine/drawing/spring_force.hpp"
 #include "engine/number/functions.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {

@@ -11,6 +11,7 @@
 #include "engine/number/assert.hpp"
 #include "engine/number/functions.hpp"
 #include "engine/number/geometry.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/sentences.hpp"
 
 namespace kinegraph {

@@ -6,9 +6,10 @@
 #include "engine/equations/equations.hpp"
 #include "engine/motion/mobility.hpp"
 #include "engine/sentences/statement.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 // ----- Ill-conditioning: nothing is degenerate, but a result depends on a small difference of the data. Reports near
 // coincidences and the effect of moving a point a little. Adds remarks only.

@@ -166,8 +166,6 @@ Equations equations_of(const Mechanism& mechanism, const Pose& pose);
 /// A loop as the results file writes it: "a e^{i alpha} + b e^{i beta} = c".
 std::string spelt(const Equations& equations, const Equations::Loop& loop);
 std::string spelt(const Equations& equations, const Equations::Law& law);
-/// The value of "equations" in the results file (docs/results.md).
-std::string equations_json(const Equations& equations);
 /// "alpha", "alpha_1".
 std::string spelt(const Equations::Letter& letter);
 

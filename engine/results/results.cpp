@@ -1,5 +1,7 @@
 // The results file (docs/results.md): a Solution as JSON, SI units, keys in the file's order, numbers as the shortest
 // decimals that round-trip to the same double. Computes nothing and rounds only to doubles.
+#include "engine/results/results.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "engine/solution/solution.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph {
 

@@ -1,5 +1,7 @@
 #include "engine/solution/displacements.hpp"
 
+#include "engine/solution/solution.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "engine/equations/equations.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 struct Displacements {
     /// One coordinate q with its virtual displacement δq.
@@ -67,8 +69,5 @@ std::optional<double> work_by_ratios(const Equations& equations, const Mechanism
 /// The efforts of a solution, in the mechanism's order: from its reactions, else from virtual work; without a value
 /// where neither finds it. Empty where neither was requested.
 std::vector<EffortValue> efforts_found(const Solution& solution);
-
-/// The value of "virtual work" in the results file (docs/results.md).
-std::string displacements_json(const Mechanism& mechanism, const Displacements& displacements);
 
 }  // namespace kinegraph

@@ -29,17 +29,17 @@ void visit_parts(RelativeMotion& m, See& see) {
         found->visit(see);
 }
 template <class See>
-void visit_motion(Solution& solution, See& see) {
-    for (PointMotion& point : solution.points)
+void visit_motion(SolvedMotion& solved, See& see) {
+    for (PointMotion& point : solved.points)
         for (auto* found : {&point.velocity, &point.acceleration}) found->visit(see);
-    for (BodyMotion& body : solution.bodies)
+    for (BodyMotion& body : solved.bodies)
         for (auto* found : {&body.omega, &body.alpha}) found->visit(see);
-    for (Sliding& sliding : solution.sliding)
+    for (Sliding& sliding : solved.sliding)
         for (auto* found : {&sliding.velocity, &sliding.acceleration, &sliding.coriolis}) found->visit(see);
-    for (InstantCentre& centre : solution.centres) centre.at.visit(see);
-    for (RelativeMotion& motion : solution.relative_motion) visit(motion, see);
-    for (RelativeMotion& motion : solution.relative_motion) visit_parts(motion, see);
-    for (SecondWay& way : solution.second_way) way.omega.visit(see);
+    for (InstantCentre& centre : solved.centres) centre.at.visit(see);
+    for (RelativeMotion& motion : solved.relative_motion) visit(motion, see);
+    for (RelativeMotion& motion : solved.relative_motion) visit_parts(motion, see);
+    for (SecondWay& way : solved.second_way) way.omega.visit(see);
 }
 
 template <class See>
@@ -129,21 +129,21 @@ void visit(VirtualWork& work, See& see) {
     visit_pair(work.total_element, work.total, see);
 }
 template <class See>
-void visit_forces(Solution& solution, See& see) {
-    for (JointForce& force : solution.forces) {
+void visit_forces(SolvedForces& solved, See& see) {
+    for (JointForce& force : solved.forces) {
         force.force.visit(see);
         force.couple.visit(see);
         force.component.visit(see);
         force.along.visit(see);
     }
-    for (EffortValue& effort : solution.efforts) effort.value.visit(see);
-    for (FreeBody& body : solution.free_bodies) visit(body, see);
-    for (TakenTogether& together : solution.taken_together) visit(together, see);
-    if (solution.superposition) visit(*solution.superposition, see);
-    if (solution.truss) visit(*solution.truss, see);
-    for (Resultant& resultant : solution.resultants) visit(resultant, see);
-    for (VirtualMotion& motion : solution.virtual_motions) visit(motion, see);
-    if (solution.virtual_work) visit(*solution.virtual_work, see);
+    for (EffortValue& effort : solved.efforts) effort.value.visit(see);
+    for (FreeBody& body : solved.free_bodies) visit(body, see);
+    for (TakenTogether& together : solved.taken_together) visit(together, see);
+    if (solved.superposition) visit(*solved.superposition, see);
+    if (solved.truss) visit(*solved.truss, see);
+    for (Resultant& resultant : solved.resultants) visit(resultant, see);
+    for (VirtualMotion& motion : solved.virtual_motions) visit(motion, see);
+    if (solved.virtual_work) visit(*solved.virtual_work, see);
 }
 
 template <class See>

@@ -10,10 +10,10 @@
 #include "engine/drawing/pose.hpp"
 #include "engine/file/json_source.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 
+struct Solution;
 class FormReader;
 struct FormValue;
 

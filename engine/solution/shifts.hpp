@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
+#include "engine/board/protocol.hpp"
+#include "engine/solution/forces.hpp"
 
 namespace kinegraph {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/number/functions.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {

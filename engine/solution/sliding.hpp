@@ -4,9 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "engine/solution/solution.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/sentences/quantity.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: relative velocities are
 /// measured along it.

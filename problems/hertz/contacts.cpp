@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/number/functions.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/contacts.hpp"
 
 namespace kinegraph {

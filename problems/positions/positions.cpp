@@ -2,6 +2,7 @@
 #include "problems/positions/positions.hpp"
 
 #include "engine/results/json_parts.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/results/json_parts.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {

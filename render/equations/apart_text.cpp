@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/solution/solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "lang/keys/notation.hpp"

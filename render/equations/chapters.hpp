@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "engine/solution/displacements.hpp"
-#include "engine/solution/solution.hpp"
 #include "lang/words.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/text/words.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

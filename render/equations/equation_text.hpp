@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "engine/equations/equations.hpp"
-#include "engine/solution/solution.hpp"
 #include "render/text/math.hpp"
 #include "render/text/words.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

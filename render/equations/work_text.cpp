@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/number/functions.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/equations.hpp"
 #include "render/text/formula.hpp"
 

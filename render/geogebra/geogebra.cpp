@@ -9,6 +9,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/number/functions.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/library.hpp"
 #include "render/geogebra/construction.hpp"
 #include "render/geogebra/placing.hpp"

@@ -6,10 +6,13 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/solution/solution.hpp"
 #include "lang/words.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/language.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -3,10 +3,13 @@
 
 #include <vector>
 
-#include "engine/solution/solution.hpp"
 #include "render/content/sheet_options.hpp"
 #include "render/page/page.hpp"
 #include "render/text/text.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "engine/solution/moving.hpp"
-#include "engine/solution/solution.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/text/words.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

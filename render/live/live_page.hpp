@@ -11,8 +11,11 @@
 #include <string_view>
 
 #include "engine/solution/moving.hpp"
-#include "engine/solution/solution.hpp"
 #include "render/sheet/sheet.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

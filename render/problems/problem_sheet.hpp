@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
 #include "render/content/sheet_options.hpp"
 #include "render/page/page.hpp"
 #include "render/text/text.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/results/result_names.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -3,7 +3,11 @@
 
 #include <string>
 
-#include "engine/solution/solution.hpp"
+#include "engine/number/index.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -1,6 +1,8 @@
 // Drawn by: see drawn_by.hpp.
 #include "render/scene/drawn_by.hpp"
 
+#include "engine/solution/solution.hpp"
+
 #include <algorithm>
 
 namespace kinegraph::render {

@@ -1,7 +1,11 @@
 // Which statement of the solution draws a velocity, an acceleration or a force. Computes no mechanics.
 #pragma once
 
-#include "engine/solution/solution.hpp"
+#include "engine/sentences/quantity.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -1,6 +1,7 @@
 #include "render/scene/load_case.hpp"
 
 #include "engine/number/assert.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

@@ -4,7 +4,11 @@
 
 #include <string>
 
-#include "engine/solution/solution.hpp"
+#include "engine/solution/forces.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

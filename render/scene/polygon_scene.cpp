@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "engine/number/assert.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/ink/spot.hpp"
 #include "render/scene/drawn_by.hpp"
 #include "render/scene/load_case.hpp"

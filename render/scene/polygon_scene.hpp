@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
+#include "engine/sentences/statement.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/board/board.hpp"
+#include "engine/board/protocol.hpp"
 
 namespace kinegraph::render {
 

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
 #include "render/content/sheet_options.hpp"
 #include "render/page/page.hpp"
 #include "render/text/text.hpp"
 #include "render/text/words.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

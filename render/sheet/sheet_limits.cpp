@@ -1,4 +1,5 @@
 #include "render/sheet/sheet_limits.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/pages.hpp"
 
 #include <string>

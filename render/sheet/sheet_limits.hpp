@@ -4,8 +4,11 @@
 
 #include <optional>
 
-#include "engine/solution/solution.hpp"
 #include "lang/words.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::render {
 

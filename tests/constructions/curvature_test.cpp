@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/results/quantity_name.hpp"
+#include "engine/results/results.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"

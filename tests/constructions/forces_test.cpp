@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "constructions/solving/solve.hpp"
+#include "engine/results/results.hpp"
 #include "lang/keys/phrases.hpp"
 #include "lang/keys/sentences.hpp"
 #include "tests/support/told.hpp"

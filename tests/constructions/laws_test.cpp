@@ -16,6 +16,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "engine/results/results.hpp"
 #include "lang/keys/sentences.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/sketch.hpp"

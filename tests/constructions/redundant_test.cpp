@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/results/results.hpp"
 #include "lang/keys/sentences.hpp"
 #include "tests/support/near_the_check.hpp"
 #include "tests/support/random_mechanism.hpp"

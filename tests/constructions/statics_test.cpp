@@ -17,6 +17,7 @@
 #include "engine/check/check_forces.hpp"
 #include "engine/file/units.hpp"
 #include "engine/motion/repositioned.hpp"
+#include "engine/results/results.hpp"
 #include "lang/keys/sentences.hpp"
 #include "render/tables/force_tables.hpp"
 #include "tests/support/force_laws.hpp"

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/results/results.hpp"
 #include "engine/solution/solution.hpp"
 #include "render/equations/equation_text.hpp"
 #include "tests/support/files.hpp"

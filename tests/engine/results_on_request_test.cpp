@@ -13,6 +13,7 @@
 
 #include "constructions/positions/named_results.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/results/results.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "kinegraph/kinegraph.hpp"
 #include "tests/support/files.hpp"

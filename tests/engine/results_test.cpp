@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "engine/results/results.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/phrases.hpp"
 #include "lang/keys/sentences.hpp"

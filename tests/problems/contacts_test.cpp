@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "engine/results/results.hpp"
 #include "problems/hertz/hertz.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"

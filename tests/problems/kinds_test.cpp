@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/results/results.hpp"
 #include "engine/solution/problem_kind.hpp"
 #include "tests/support/problem_tests.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/file/algebra.hpp"
+#include "engine/results/results.hpp"
 #include "problems/point/point.hpp"
 #include "tests/support/problem_tests.hpp"
 #include "tests/support/schema_gate.hpp"

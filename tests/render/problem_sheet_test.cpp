@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/results/results.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"

@@ -1,5 +1,7 @@
 #include "tests/support/force_laws.hpp"
 
+#include "engine/solution/solution.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "engine/check/check_forces.hpp"
-#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
+
+struct Solution;
 
 /// True if equilibrium determines every reaction and every input force or couple.
 bool wholly_known(const NumericForces& forces);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/results/quantity_name.hpp"
+#include "engine/solution/solution.hpp"
 #include "tests/support/told.hpp"
 
 namespace kinegraph {

@@ -2,9 +2,9 @@
 // guides, closed polygons, three centres on a line. All exact, except for the check and for poses by compass.
 #pragma once
 
-#include "engine/solution/solution.hpp"
-
 namespace kinegraph {
+
+struct Solution;
 
 /// Fails the running test if a law is violated. Tests only results that were found; `motion_is_whole` tells if all
 /// were.

@@ -8,6 +8,7 @@
 #include "constructions/solving/solve.hpp"
 #include "constructions/verdicts/verdicts.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/results.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/words.hpp"

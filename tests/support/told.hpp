@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/solution/solution.hpp"
 #include "lang/keys/sentences.hpp"
 #include "tests/support/told.hpp"
 

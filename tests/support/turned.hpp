@@ -1,7 +1,11 @@
 // A mechanism as another program would write it: the whole drawing turned, every point a decimal of `digits` digits.
 #pragma once
 
-#include "engine/solution/solution.hpp"
+#include "engine/drawing/pose.hpp"
+
+namespace kinegraph {
+struct Solution;
+}
 
 namespace kinegraph::tests {
 

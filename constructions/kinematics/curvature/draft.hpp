@@ -10,7 +10,7 @@
 #include "constructions/kinematics/space_diagram.hpp"
 #include "constructions/kinematics/structure.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/curvature.hpp"
 
 namespace kinegraph::curvature {
 

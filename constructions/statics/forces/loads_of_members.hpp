@@ -9,7 +9,7 @@
 #include "constructions/kinematics/structure.hpp"
 #include "constructions/statics/force_nouns.hpp"
 #include "engine/board/board.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/findings.hpp"
 
 namespace kinegraph::statics {
 
