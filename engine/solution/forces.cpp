@@ -1,5 +1,6 @@
 #include "engine/solution/forces.hpp"
 
+#include "engine/drawing/pose.hpp"
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
