@@ -20,7 +20,6 @@ struct Ray {
 struct Disc {
     Vector centre;
     Exact radius;
-    PointIndex point = none;
     bool touched = false;
     Words name;  ///< "A (radius 50 mm)"
 };

@@ -50,7 +50,7 @@ bool Placing::place(const NamedPoint& named, const Polar& placement, PositionSte
     if (placement.relative_to) ready = drawn(*placement.relative_to) && ready;
     if (!ready) return false;
     const Vector& from = draft_.pose.at(placement.from);
-    step.arcs.push_back({from, placement.from, abs(placement.distance)});
+    step.arcs.push_back({from, abs(placement.distance)});
     const Vector angle = direction_of(placement.angle, draft_.pose.bits);
     Vector direction = angle;
     bool is_touched = draft_.touched(placement.from);
@@ -87,7 +87,7 @@ bool Placing::place(const NamedPoint& named, const Along& placement, PositionSte
     }
     const auto direction = draft_.direction_between(between, named.where);
     if (!direction) return false;
-    step.arcs.push_back({from, placement.from, abs(placement.amount)});
+    step.arcs.push_back({from, abs(placement.amount)});
     const auto [reach, miss] = draft_.along(*direction, placement.amount);
     draft_.set(named, from + reach, miss, draft_.touched(between));
     return true;
@@ -104,7 +104,7 @@ bool Placing::place(const NamedPoint& named, const Meet& placement, PositionStep
     const auto* first_line = std::get_if<Ray>(&*first);
     const auto* second_line = std::get_if<Ray>(&*second);
     for (const auto& each : {&*first, &*second}) {
-        if (const auto* disc = std::get_if<Disc>(each)) step.arcs.push_back({disc->centre, disc->point, disc->radius});
+        if (const auto* disc = std::get_if<Disc>(each)) step.arcs.push_back({disc->centre, disc->radius});
     }
     if (first_line != nullptr && second_line != nullptr) {
         step.how = PositionStep::How::lines;
@@ -126,11 +126,9 @@ bool Placing::place(const NamedPoint& named, const Meet& placement, PositionStep
 
 std::optional<Stroke> Placing::stroke(const CircleCurve& circle, const std::string&) {
     if (!drawn(circle.centre)) return std::nullopt;
-    const auto* point = std::get_if<PointIndex>(&circle.centre);
     return Disc{
         draft_.at(circle.centre),
         circle.radius,
-        point == nullptr ? PointIndex() : *point,
         draft_.touched(circle.centre),
         {lang::drawing::radius, draft_.name_of(circle.centre), draft_.in_file_units(circle.radius.to_double())}};
 }

@@ -19,7 +19,6 @@ struct PositionStep {
     enum class How { given, polar, along, lines, line_and_circle, circles, moved_onto_curve } how = How::given;
     struct Arc {
         Vector centre;
-        PointIndex centre_point = none;
         Exact radius;
     };
     std::vector<Arc> arcs;  ///< the compass strokes

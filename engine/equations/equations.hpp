@@ -154,8 +154,6 @@ struct Equations {
     std::vector<BodyState> bodies;
 
     const Letter& letter(LetterIndex index) const { return letters[static_cast<std::size_t>(index)]; }
-    /// The letters whose sum is the direction of the body.
-    std::vector<LetterIndex> turn_of(BodyIndex body) const { return turns[at_index(body)]; }
     std::vector<std::vector<LetterIndex>> turns;  ///< by body: the letters whose sum is its direction
 };
 

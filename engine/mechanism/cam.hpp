@@ -67,9 +67,6 @@ public:
     CamState at(double turn, const LawState& rise) const;
     /// 1: the cam turns counter-clockwise, −1: clockwise.
     double sense() const { return sense_; }
-    /// Seen from the pivot, at the beginning of the law: the angle of the follower's arm, or of its face's outward
-    /// normal.
-    double first_angle() const { return first_angle_; }
     /// 1 where an oscillating follower rises counter-clockwise, else −1.
     double rises() const { return rises_; }
 
@@ -79,7 +76,10 @@ private:
 
     const Cam* cam_ = nullptr;
     LawCurve law_;
-    double sense_ = 1, base_ = 0, roller_ = 0, offset_ = 0, arm_ = 0, height_ = 0, first_angle_ = 0, rises_ = 1;
+    double sense_ = 1, base_ = 0, roller_ = 0, offset_ = 0, arm_ = 0, height_ = 0, rises_ = 1;
+    /// Seen from the pivot, at the beginning of the law: the angle of the follower's arm, or of its face's outward
+    /// normal.
+    double first_angle_ = 0;
     VectorOf<double> pivot_;
 };
 
