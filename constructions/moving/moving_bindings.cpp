@@ -57,7 +57,9 @@ private:
             add(force_binding(load, body, each), each);
             if (held_.size() == first || each.elements.force == none) continue;
             MovingPlan::Binding& force = held_[first];
-            if (each.kind == AppliedForce::Kind::load) force.given = each.given;
+            if (each.kind == Quantity::Kind::load &&
+                !std::holds_alternative<SpringLoad>(solution_.mechanism.loads[at_index(each.given)]))
+                force.given = each.given;
             if (!load.empty()) continue;
             force.figure = figure_of(body);
             force.symbol = name_of(each.symbol);

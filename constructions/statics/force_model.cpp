@@ -260,11 +260,10 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
 }
 
 bool ForceModel::is_inner(const Load& load, const Group& group) const {
-    return load.kind == AppliedForce::Kind::spring &&
-           std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
-               return other.kind == load.kind && other.given == load.given && other.member != load.member &&
-                      in(group, other.member);
-           });
+    return std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
+        return other.kind == load.kind && other.given == load.given && other.member != load.member &&
+               in(group, other.member);
+    });
 }
 
 std::array<ScalarHandle, 3> ForceModel::gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,

@@ -75,7 +75,7 @@ struct Wrench {
 struct Load {
     MemberIndex member;
     Symbol symbol;
-    AppliedForce::Kind kind = AppliedForce::Kind::load;
+    Quantity::Kind kind = Quantity::Kind::load;  ///< as AppliedForce::kind
     std::optional<Force> force;
     PlaceOnDrawing place;
     std::optional<ScalarHandle> couple;

@@ -22,7 +22,7 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
     };
     for (FreeBody& body : bodies) {
         for (AppliedForce& applied : body.forces) {
-            if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::resultant) continue;
+            if (applied.is_reaction() || applied.is_resultant()) continue;
             for (const FreeBody::Meet& meet : body.meets) {
                 if (!passes(applied, meet.place)) continue;
                 if (applied.line_statement == none || meet.statement < applied.line_statement)

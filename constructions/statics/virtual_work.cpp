@@ -88,7 +88,7 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
         const BodyIndex carrier = carrier_of(structure.mechanism(), free);
         const std::optional<NodeIndex> base = base_of(structure, velocities, carrier);
         for (const AppliedForce& applied : free.forces) {
-            if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::resultant) continue;
+            if (applied.is_reaction() || applied.is_resultant()) continue;
             if (!base) return std::nullopt;
             work.entries.push_back(powers.of(applied, free, carrier, *base));
         }
@@ -155,9 +155,7 @@ private:
         total_ = total_ ? board_.sum(*total_, power) : power;
         VirtualWork::Entry entry;
         entry.symbol = load.symbol;
-        entry.quantity = load.kind == AppliedForce::Kind::weight
-                             ? Quantity{.kind = Quantity::Kind::weight, .given = load.given}
-                             : Quantity{.kind = Quantity::Kind::load, .given = load.given};
+        entry.quantity = {.kind = load.kind, .given = load.given};
         entry.body = carrier;
         entry.elements = {load.place.element,
                           moved.element,

@@ -140,7 +140,7 @@ private:
     Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied,
                                  const NumericForces& numeric) const {
         switch (applied.kind) {
-            case AppliedForce::Kind::reaction: {
+            case Kind::force: {
                 if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from)) {
                     if (action->along) return {std::abs(action->component), action->couple};
                     return {magnitude(action->force), action->couple};
@@ -151,30 +151,29 @@ private:
                 if (action == nullptr) return {};
                 return {magnitude(action->force), -action->couple};
             }
-            case AppliedForce::Kind::effort:
+            case Kind::effort:
                 if (!numeric.effort_known[at_index(applied.given)]) return {};
                 return effort_on(body, mechanism_.efforts[at_index(applied.given)],
                                  numeric.efforts[at_index(applied.given)]);
-            case AppliedForce::Kind::weight:
+            case Kind::weight:
                 return {mechanism_.masses[at_index(applied.given)].mass.to_double() *
                             kinegraph::length(*mechanism_.gravity),
                         {}};
-            case AppliedForce::Kind::inertia: return inertia_of(mechanism_.masses[at_index(applied.given)]);
-            case AppliedForce::Kind::resultant: {
+            case Kind::inertia: return inertia_of(mechanism_.masses[at_index(applied.given)]);
+            case Kind::resultant: {
                 const NumericForces::Sum& sum = numeric.given[at_index(body.body)];
                 if (applied.force.is_zero()) return {{}, sum.couple};
                 return {magnitude(sum.force), {}};
             }
-            case AppliedForce::Kind::load:
-            case AppliedForce::Kind::spring: {
+            case Kind::load: {
                 const Load& load = mechanism_.loads[at_index(applied.given)];
                 Comparison::Action size = std::visit([&](const auto& form) { return size_of(form); }, load);
                 const auto* torsion = std::get_if<TorsionLoad>(&load);
                 if (torsion != nullptr && body.body == torsion->bodies[1]) size.couple = -*size.couple;
                 return size;
             }
+            default: return {};
         }
-        return {};
     }
 
     /// A couple between two bodies acts on one and, reversed, on the other.

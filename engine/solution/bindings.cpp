@@ -20,11 +20,23 @@ std::string name_of(const FreeBody& body) {
     return body.body != none ? number_of(body.body) : "p" + number_of(body.pin);
 }
 
+/// What acts, as a digit.
+char digit_of(Quantity::Kind kind) {
+    switch (kind) {
+        case Quantity::Kind::load: return '0';
+        case Quantity::Kind::weight: return '1';
+        case Quantity::Kind::inertia: return '2';
+        case Quantity::Kind::force: return '4';
+        case Quantity::Kind::effort: return '5';
+        default: return '6';  // a resultant
+    }
+}
+
 }  // namespace
 
 std::string force_binding(const std::string& load, const FreeBody& body, const AppliedForce& applied) {
-    return under(load) + "F" + name_of(body) + "." + number_of(static_cast<int>(applied.kind)) + "." +
-           number_of(applied.joint) + "." + number_of(applied.from) + "." + number_of(applied.given);
+    return under(load) + "F" + name_of(body) + "." + digit_of(applied.kind) + "." + number_of(applied.joint) + "." +
+           number_of(applied.from) + "." + number_of(applied.given);
 }
 std::string sum_binding(const std::string& load, const FreeBody& body, const AppliedForce& sum) {
     return under(load) + "R" + name_of(body) + "." + kinegraph::name_of(sum.symbol);

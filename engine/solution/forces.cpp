@@ -24,17 +24,9 @@ Vector unit_of_component(const JointForce& action) {
 }
 double component_of(const JointForce& action) { return dot(*action.component, unit_of_component(action)).to_double(); }
 Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
-    switch (applied.kind) {
-        case AppliedForce::Kind::reaction:
-            return {.kind = Quantity::Kind::force, .body = body.body, .other = applied.from, .joint = applied.joint};
-        case AppliedForce::Kind::load:
-        case AppliedForce::Kind::spring: return {.kind = Quantity::Kind::load, .given = applied.given};
-        case AppliedForce::Kind::weight: return {.kind = Quantity::Kind::weight, .given = applied.given};
-        case AppliedForce::Kind::inertia: return {.kind = Quantity::Kind::inertia, .given = applied.given};
-        case AppliedForce::Kind::effort: return {.kind = Quantity::Kind::effort, .given = applied.given};
-        case AppliedForce::Kind::resultant: return {.kind = Quantity::Kind::resultant, .body = body.body};
-    }
-    KG_ASSERT(false, "what acts is of one kind");
+    if (applied.is_resultant()) return {.kind = applied.kind, .body = body.body};
+    if (!applied.is_reaction()) return {.kind = applied.kind, .given = applied.given};
+    return {.kind = applied.kind, .body = body.body, .other = applied.from, .joint = applied.joint};
 }
 
 }  // namespace kinegraph

@@ -39,15 +39,9 @@ struct EffortValue {
 /// One force or couple on a free body.
 struct AppliedForce {
     Symbol symbol;
-    enum class Kind {
-        load,
-        weight,
-        inertia,
-        spring,
-        reaction,
-        effort,
-        resultant  ///< of all given actions; not an action itself: what is missing for equilibrium
-    } kind = Kind::load;
+    /// A load (springs are loads), a weight, an inertia force, a force at a joint, an effort; or the resultant of all
+    /// given actions, which is no action itself: what is missing for equilibrium.
+    Quantity::Kind kind = Quantity::Kind::load;
     JointIndex joint = none;  ///< reactions
     BodyIndex from = none;    ///< the body that acts; none: no body, or a pin
     Vector force;             ///< N; zero for a pure couple
@@ -59,14 +53,16 @@ struct AppliedForce {
     bool line_by_construction = false;  ///< its line of action was constructed, not given
     bool is_component = false;  ///< for a reaction that equilibrium does not determine: the component that is the same
                                 ///< in every equilibrium
-    /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
-    int given = -1;
+    int given = -1;             ///< as Quantity::given; −1: a reaction
     /// The statement after which its line is known, or, for a given line, that first needs it; none: there is none.
     StatementIndex line_statement = none;
     StatementIndex force_statement = none;  ///< the statement that finds it; none: it is given
     /// By the check: the modulus in N; the couple in N m, with the sign of `couple`. None where equilibrium leaves them
     /// undetermined.
     std::optional<double> numeric_force, numeric_couple;
+
+    bool is_reaction() const { return kind == Quantity::Kind::force; }
+    bool is_resultant() const { return kind == Quantity::Kind::resultant; }
 };
 /// A body cut free, with all that acts on it; the forces close its polygon.
 struct FreeBody {

@@ -405,11 +405,11 @@ Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; 
 
 /// A resultant acts on nothing: its shaft is thinner.
 double width_of(const AppliedForce& applied, const Theme& theme) {
-    return applied.kind == AppliedForce::Kind::resultant ? theme.outline : theme.vector;
+    return applied.is_resultant() ? theme.outline : theme.vector;
 }
 
 bool acts_at_centre(const AppliedForce& applied) {
-    return applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
+    return applied.kind == Quantity::Kind::weight || applied.kind == Quantity::Kind::inertia;
 }
 
 // --- free bodies
@@ -612,7 +612,7 @@ private:
                 action.statement =
                     action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
             }
-        const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
+        const bool found = applied.joint != none || applied.is_resultant();
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction))
             lines_.add(std::move(action));
     }
@@ -720,9 +720,8 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
 bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bool alone) {
     const auto forces =
         std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); });
-    const bool inner_reaction =
-        applied.kind == AppliedForce::Kind::reaction && applied.from != frame && !(alone && forces == 2);
-    const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > frame && applied.from < body.body;
+    const bool inner_reaction = applied.is_reaction() && applied.from != frame && !(alone && forces == 2);
+    const bool again = applied.kind == Quantity::Kind::effort && applied.from > frame && applied.from < body.body;
     return !inner_reaction && !again;
 }
 
@@ -738,7 +737,7 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
             const Bar arrow{tail, tail + whole * along};
             double price = clutter.along(arrow.from, arrow.to) + 0.03 * stand_off;
             if (at_centre && !pulls) price += 0.6;
-            if (applied.kind == AppliedForce::Kind::reaction && pulls) price += 0.15;
+            if (applied.is_reaction() && pulls) price += 0.15;
             for (const double side : {0.0, beside_an_arrow, -beside_an_arrow}) {
                 const Bar tried = moved(arrow, side * turned(along));
                 const bool is_free = side == 0 || reads_as_one(arrow, standing);

@@ -128,8 +128,8 @@ private:
             shown.value = value;
             shown.body = vector.body;
             const Part part = part_shown_by(vector);
-            shown.is_part = part.force != nullptr && (part.force->kind == AppliedForce::Kind::reaction ||
-                                                      part.force->kind == AppliedForce::Kind::effort);
+            shown.is_part =
+                part.force != nullptr && (part.force->is_reaction() || part.force->kind == Quantity::Kind::effort);
             shown.falls_out = scene_.kind == PolygonScene::Kind::closure && vector.role == DrawnVector::Role::internal;
             shown.has_right_angles =
                 vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;

@@ -36,8 +36,7 @@ public:
     }
     std::optional<double> couple_of(const FreeBody& body, const AppliedForce& applied) const {
         Quantity quantity = quantity_of(body, applied);
-        if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::inertia)
-            quantity.kind = Quantity::Kind::couple;
+        if (applied.is_reaction() || applied.kind == Quantity::Kind::inertia) quantity.kind = Quantity::Kind::couple;
         return clean(quantity, applied.numeric_couple, applied.couple.is_zero());
     }
 

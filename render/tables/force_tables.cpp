@@ -19,19 +19,17 @@
 namespace kinegraph::render {
 namespace {
 
-using ForceKind = AppliedForce::Kind;
-
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
     return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
 }
-bool is_load(ForceKind kind) { return kind != ForceKind::reaction && kind != ForceKind::effort; }
+bool is_load(const AppliedForce& applied) { return !applied.is_reaction() && applied.kind != Quantity::Kind::effort; }
 
 /// The given loads are not in equilibrium, and nothing is unknown.
 bool is_open(const FreeBody& body) {
     return std::any_of(body.forces.begin(), body.forces.end(),
-                       [](const AppliedForce& each) { return each.kind == ForceKind::resultant; });
+                       [](const AppliedForce& each) { return each.is_resultant(); });
 }
 
 /// The free body on which the opposite of a reaction acts; none for the frame.
@@ -66,12 +64,12 @@ std::optional<RichText> line_of(const DrawingContext& context, const LoadCase& l
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Language language = context.language;
-    if (applied.kind == ForceKind::weight && applied.force.x.is_zero())
+    if (applied.kind == Quantity::Kind::weight && applied.force.x.is_zero())
         return one_piece(word(lang::sheet::vertical, language));
-    if (is_load(applied.kind)) return one_piece(word(lang::common::given, language));
+    if (is_load(applied)) return one_piece(word(lang::common::given, language));
     if (applied.joint == none) return one_piece(word(lang::common::given, language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
-    if (applied.kind == ForceKind::effort) return one_piece("∥ " + word(lang::sheet::guide, language));
+    if (applied.kind == Quantity::Kind::effort) return one_piece("∥ " + word(lang::sheet::guide, language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word(lang::sheet::guide, language));
     // Teeth transmit force at the pressure angle, not along the common normal of the pitch curves.
     if (joint.pair().meshes()) return one_piece(word(lang::sheet::line_of_the_teeth, language));
@@ -120,13 +118,13 @@ struct EquationColumn {
 EquationColumn equation_column(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
                                const AppliedForce& applied, const Symbol& symbol) {
     EquationColumn column;
-    column.magnitude = is_load(applied.kind);
-    if (applied.kind == ForceKind::reaction)
+    column.magnitude = is_load(applied);
+    if (applied.is_reaction())
         if (const FreeBody* other = opposite(loads, body, applied)) column.magnitude = other < &body;
     // Nothing determines the line of this hinge force: magnitude and direction are both sought, and the polygon gives
     // them together.
     const std::optional<RichText> line = line_of(context, loads, body, applied);
-    column.direction = column.magnitude || applied.kind != ForceKind::reaction || line;
+    column.direction = column.magnitude || !applied.is_reaction() || line;
     column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
     column.line = context.fonts.shape(line ? *line : one_piece(word(lang::sheet::any_line, context.language)),
                                       context.theme.small);
@@ -269,7 +267,7 @@ Block force_equation_block(const DrawingContext& context, const LoadCase& loads,
 }
 
 const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
-    if (applied.kind != ForceKind::reaction || applied.force.is_zero()) return nullptr;
+    if (!applied.is_reaction() || applied.force.is_zero()) return nullptr;
     for (const JointForce& each : solution.forces)
         if (each.joint == applied.joint && each.on == body.body && each.from == applied.from && each.couple &&
             !each.couple->is_zero())
@@ -280,8 +278,7 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
-    if (applied.joint == none || body.body == none || applied.kind != ForceKind::reaction || applied.force.is_zero())
-        return {};
+    if (applied.joint == none || body.body == none || !applied.is_reaction() || applied.force.is_zero()) return {};
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (!joint.pair().is_sleeve()) return {};
     const Vector own = solution.pose.at(joint.point), guide = solution.pose.guides[at_index(applied.joint)];
@@ -364,19 +361,19 @@ private:
     }
     /// A couple between two bodies is listed as it acts on the body that the file names first.
     std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
-        const auto* couple = applied.kind == ForceKind::effort
+        const auto* couple = applied.kind == Quantity::Kind::effort
                                  ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)])
                                  : nullptr;
         if (couple == nullptr) return {&body, &applied};
         for (const FreeBody& other : solution_.free_bodies)
             for (const AppliedForce& its : other.forces)
-                if (other.body == couple->body && its.kind == ForceKind::effort && its.given == applied.given)
+                if (other.body == couple->body && its.kind == Quantity::Kind::effort && its.given == applied.given)
                     return {&other, &its};
         return {&body, &applied};
     }
     /// If only the reverse is drawn, its length is measured.
     Symbol symbol_measured(const FreeBody& body, const AppliedForce& applied) const {
-        if (applied.kind != ForceKind::reaction || measured(figures_, name_of(applied.symbol))) return applied.symbol;
+        if (!applied.is_reaction() || measured(figures_, name_of(applied.symbol))) return applied.symbol;
         if (const FreeBody* other = opposite(solution_, body, applied))
             for (const AppliedForce& its : other->forces)
                 if (its.joint == applied.joint && its.from == body.body && measured(figures_, name_of(its.symbol)))

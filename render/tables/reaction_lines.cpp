@@ -54,8 +54,6 @@ public:
     }
 
 private:
-    using Kind = AppliedForce::Kind;
-
     /// A reaction between two bodies, which the note uses to explain action and reaction.
     struct Example {
         RichText symbol;
@@ -99,7 +97,7 @@ private:
     std::vector<RichText> measured_forces(const FreeBody& body) const {
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
-            if (applied.kind != Kind::reaction && applied.kind != Kind::resultant) {
+            if (!applied.is_reaction() && !applied.is_resultant()) {
                 active.push_back(symbol_of(applied));
                 if (applied.joint != none) append(active.back(), " (M)");
             }
@@ -137,8 +135,8 @@ private:
     ActingForces forces_on(const FreeBody& body) {
         ActingForces forces;
         for (const AppliedForce& applied : body.forces) {
-            if (applied.kind == Kind::resultant) continue;  // not an acting force
-            const bool is_reaction = applied.kind == Kind::reaction;
+            if (applied.is_resultant()) continue;  // not an acting force
+            const bool is_reaction = applied.is_reaction();
             RichText text = symbol_of(applied);
             if (is_reaction && !example_ && applied.from != none && body.body != none)
                 example_ = Example{text, applied.from, body.body};

@@ -116,7 +116,7 @@ TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
         int bodies = 0;
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
-                if (applied.kind == AppliedForce::Kind::effort) {
+                if (applied.kind == Quantity::Kind::effort) {
                     ++bodies;
                     EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12)
                         << body.body.number();
@@ -156,14 +156,13 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
     for (const FreeBody& body : solution.free_bodies) {
         StatementIndex last;
         for (const AppliedForce& applied : body.forces) {
-            const bool sought =
-                applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort;
+            const bool sought = applied.is_reaction() || applied.kind == Quantity::Kind::effort;
             ASSERT_EQ(applied.force_statement != none, sought) << name_of(applied.symbol);
             if (!sought) continue;
             last = std::max(last, applied.force_statement);
             const Statement& statement = solution.protocol.statements[at_index(applied.force_statement)];
             EXPECT_EQ(statement.section, Topic::forces);
-            if (applied.kind == AppliedForce::Kind::reaction) {
+            if (applied.is_reaction()) {
                 EXPECT_NE(applied.line_statement, none);
                 EXPECT_LE(applied.line_statement, applied.force_statement) << name_of(applied.symbol);
             }

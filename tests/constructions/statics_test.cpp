@@ -58,7 +58,7 @@ TEST(SupportsWithCouples, AreToldAsForceAndCoupleAndAsOneForceAside) {
     int found = 0;
     for (const AppliedForce& applied : beam.forces) {
         const JointForce* pair = render::at_the_pair(solution, beam, applied);
-        EXPECT_EQ(pair != nullptr, applied.kind == AppliedForce::Kind::reaction);
+        EXPECT_EQ(pair != nullptr, applied.is_reaction());
         if (pair == nullptr) continue;
         ++found;
         EXPECT_EQ(*pair->couple, Exact(2050));

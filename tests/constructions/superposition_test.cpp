@@ -120,7 +120,7 @@ TEST_P(Superposed, PartsAddUp) {
     EXPECT_EQ(found.parts.size(), 3U);
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& whole : body.forces) {
-            if (whole.kind != AppliedForce::Kind::reaction) continue;
+            if (!whole.is_reaction()) continue;
             Vector sum;
             for (const Superposition::Part& part : found.parts)
                 for (const FreeBody& alone : part.bodies)
@@ -149,8 +149,7 @@ TEST_P(Superposed, EachPartIsInEquilibrium) {
                 sum = sum + applied.force;
                 moment = moment + cross(applied.at, applied.force) + applied.couple;
                 const bool is_marked = applied.symbol.term == "(" + name_of(solution.mechanism, part) + ")";
-                EXPECT_EQ(is_marked,
-                          applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort)
+                EXPECT_EQ(is_marked, applied.is_reaction() || applied.kind == Quantity::Kind::effort)
                     << name_of(applied.symbol);
             }
             EXPECT_TRUE(sum.is_zero());

@@ -33,7 +33,7 @@ public:
             for (const AppliedForce& applied : body.forces) {
                 const double force = std::max(length(applied.force), std::abs(applied.couple.to_double()) / size_);
                 largest_ = std::max(largest_, force);
-                if (applied.kind != AppliedForce::Kind::reaction && applied.kind != AppliedForce::Kind::effort)
+                if (!applied.is_reaction() && applied.kind != Quantity::Kind::effort)
                     largest_load_ = std::max(largest_load_, force);
             }
         }
@@ -131,7 +131,7 @@ private:
         for (const FreeBody& body : solution_.free_bodies) {
             if (body.body == none) continue;
             for (const AppliedForce& applied : body.forces) {
-                if (applied.kind != AppliedForce::Kind::reaction) continue;
+                if (!applied.is_reaction()) continue;
                 const JointForce* action = found(applied.joint, body.body, applied.from);
                 ASSERT_TRUE(action) << name_of(applied.symbol) << " on the free body " << name(body.body);
                 EXPECT_EQ(applied.force, *action->force) << name_of(applied.symbol);

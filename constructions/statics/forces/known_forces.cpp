@@ -31,14 +31,11 @@ void KnownForces::fit(Run& run) const {
     }
 }
 
-KnownForces::Shape KnownForces::shape(int b, const Run& run) const {
+Bond::Kind KnownForces::shape(int b, const Run& run) const {
     const Bond& bond = model_.bonds()[at(b)];
     const Reaction& reaction = run.reactions[at(b)];
-    if (bond.kind == Bond::Kind::couple || reaction.only_couple) return Shape::couple;
-    if (reaction.action) return Shape::line;
-    if (bond.kind == Bond::Kind::pin) return Shape::pin;
-    if (bond.kind == Bond::Kind::guide) return Shape::guide;
-    return Shape::clamp;
+    if (bond.kind == Bond::Kind::couple || reaction.only_couple) return Bond::Kind::couple;
+    return reaction.action ? Bond::Kind::line : bond.kind;
 }
 
 std::vector<int> KnownForces::unknown_of(const Group& group, const Run& run) const {
@@ -53,11 +50,11 @@ KnownForces::Unknowns KnownForces::sorted(const std::vector<int>& unknown, const
     Unknowns result;
     for (const int b : unknown) {
         switch (shape(b, run)) {
-            case Shape::pin: result.pins.push_back(b); break;
-            case Shape::guide: result.guides.push_back(b); break;
-            case Shape::line: result.fixed.push_back(b); break;
-            case Shape::couple: result.couples.push_back(b); break;
-            case Shape::clamp: result.clamps.push_back(b); break;
+            case Bond::Kind::pin: result.pins.push_back(b); break;
+            case Bond::Kind::guide: result.guides.push_back(b); break;
+            case Bond::Kind::line: result.fixed.push_back(b); break;
+            case Bond::Kind::couple: result.couples.push_back(b); break;
+            case Bond::Kind::clamp: result.clamps.push_back(b); break;
         }
     }
     return result;

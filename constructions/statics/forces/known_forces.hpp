@@ -13,7 +13,6 @@ namespace kinegraph::statics {
 
 class KnownForces {
 public:
-    enum class Shape { pin, guide, line, couple, clamp };
     /// Unknown bonds by the form of what is unknown.
     struct Unknowns {
         std::vector<int> pins, guides, fixed, couples, clamps;
@@ -27,7 +26,8 @@ public:
     Run fresh() const;
     /// Extends a run by components added since it began; they are unknown if their hinge is.
     void fit(Run& run) const;
-    Shape shape(int b, const Run& run) const;
+    /// The form of what is unknown of a bond: that of its kind, a line once its line is known.
+    Bond::Kind shape(int b, const Run& run) const;
     std::vector<int> unknown_of(const Group& group, const Run& run) const;
     Unknowns sorted(const std::vector<int>& unknown, const Run& run) const;
     bool all_known(const Run& run) const;

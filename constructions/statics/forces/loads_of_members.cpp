@@ -27,12 +27,12 @@ public:
                                  : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
                 const Symbol symbol{Symbol::Letter::F, force->name, {}};
                 const MemberIndex member = force->pin == none ? member_of(force->body) : pins_.at(force->pin);
-                add_load({member, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
+                add_load({member, symbol, Quantity::Kind::load, acting, board_.place(force->at), {}, index});
             } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
                 const auto& points = mechanism_.bodies[at(couple->body)].points;
                 add_load({member_of(couple->body),
                           {Symbol::Letter::M, couple->name, {}},
-                          AppliedForce::Kind::load,
+                          Quantity::Kind::load,
                           {},
                           board_.place(points.empty() ? PointIndex(0) : points.front()),
                           board_.load_magnitude(index),
@@ -72,7 +72,7 @@ private:
             const DirectionHandle pull = end == 0 ? board_.load_unit(index) : board_.load_unit_back(index);
             add_load({member_of(spring.bodies[end]),
                       {Symbol::Letter::F, spring.name, {}},
-                      AppliedForce::Kind::spring,
+                      Quantity::Kind::load,
                       board_.scale<Plane::force>(board_.load_magnitude(index), pull),
                       board_.place(spring.between[end]),
                       {},
@@ -91,8 +91,7 @@ private:
         const Force force = board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
         const auto share = board_.scale<drawing>(board_.number(resultant.place),
                                                  board_.vector(board_.place(load.from), board_.place(load.to)));
-        Load acting{
-            member_of(load.body), {Symbol::Letter::F, load.name, {}}, AppliedForce::Kind::load, {}, {}, {}, index};
+        Load acting{member_of(load.body), {Symbol::Letter::F, load.name, {}}, Quantity::Kind::load, {}, {}, {}, index};
         if (resultant.is_couple) {
             acting.symbol.letter = Symbol::Letter::M;
             acting.place = board_.place(load.from);
@@ -116,7 +115,7 @@ private:
             const ScalarHandle couple = board_.load_magnitude(index);
             add_load({member_of(torsion.bodies[side]),
                       {Symbol::Letter::M, torsion.name, {}},
-                      AppliedForce::Kind::spring,
+                      Quantity::Kind::load,
                       {},
                       board_.place(torsion.at),
                       side == 0 ? couple : board_.opposite(couple),
@@ -140,7 +139,7 @@ private:
         const Mass& mass = mechanism_.masses[at(index)];
         add_load({member_of(mass.body),
                   {Symbol::Letter::F, mass_name(mass, "g"), {}},
-                  AppliedForce::Kind::weight,
+                  Quantity::Kind::weight,
                   board_.scale<Plane::force>(board_.mass(index), board_.gravity()),
                   board_.place(mass.centre),
                   {},
@@ -161,7 +160,7 @@ private:
         const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
         Load load{member_of(mass.body),
                   {Symbol::Letter::F, mass_name(mass, "i"), {}},
-                  AppliedForce::Kind::inertia,
+                  Quantity::Kind::inertia,
                   board_.negate(board_.scale<Plane::force>(board_.mass(index), acceleration)),
                   board_.place(mass.centre),
                   {},

@@ -36,18 +36,18 @@ bool Magnitudes::magnitudes(const Group& group, const std::vector<Load>& loads, 
 }
 
 bool Magnitudes::single(const Group& group, int b, const Wrench& known, const std::vector<Load>& loads, Run& run) {
-    const KnownForces::Shape of = known_.shape(b, run);
+    const Bond::Kind of = known_.shape(b, run);
     Symbol symbol = said_.symbol_on(b, group);
-    if (known.vanishes() && of == KnownForces::Shape::couple) symbol.letter = Symbol::Letter::M;
+    if (known.vanishes() && of == Bond::Kind::couple) symbol.letter = Symbol::Letter::M;
     said_.say_of(group, known.vanishes() ? lang::sentences::no_force : lang::sentences::single_reaction, {symbol});
-    if (of == KnownForces::Shape::couple) {
+    if (of == Bond::Kind::couple) {
         resultants_.note_couple_of_two(group, known, loads, run);
         settled_.settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
         return true;
     }
     const bool takes_couple =
         model_.bonds()[at(b)].kind == Bond::Kind::guide || model_.bonds()[at(b)].kind == Bond::Kind::clamp;
-    if (of == KnownForces::Shape::line) {
+    if (of == Bond::Kind::line) {
         const Action line = *run.reactions[at(b)].action;
         if (known.force) {
             settled_.settle(b, balance_.opposite_along(known, line.direction), line.place, group, run);
@@ -57,7 +57,7 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
     } else if (takes_couple) {
         const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
         if (known.force) {
-            const Force force = of == KnownForces::Shape::guide
+            const Force force = of == Bond::Kind::guide
                                     ? balance_.opposite_along(known, model_.bonds()[at(b)].direction)
                                     : balance_.opposite(known);
             settled_.settle_with_couple(b, force, couple, group, run);

@@ -9,7 +9,7 @@ namespace {
 
 /// Whether two loads are the inertia force and couple of one mass.
 bool are_of_one_mass(const Load& one, const Load& other) {
-    return one.kind == AppliedForce::Kind::inertia && other.kind == one.kind && one.member == other.member &&
+    return one.kind == Quantity::Kind::inertia && other.kind == one.kind && one.member == other.member &&
            one.given == other.given;
 }
 const Load* inertia_with(const Load& load, const std::vector<Load>& loads, bool force) {

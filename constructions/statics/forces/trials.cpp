@@ -11,9 +11,9 @@ void Trials::close_by_trial(const std::vector<Load>& loads, Run& run) {
     int tried = -1, hinge = -1;
     for (std::size_t b = 0; b < model_.bonds().size() && tried < 0; ++b) {
         if (run.reactions[b].known) continue;
-        const KnownForces::Shape of = known_.shape(static_cast<int>(b), run);
-        if (of == KnownForces::Shape::line || of == KnownForces::Shape::couple) tried = static_cast<int>(b);
-        if (of == KnownForces::Shape::pin && hinge < 0) hinge = static_cast<int>(b);
+        const Bond::Kind of = known_.shape(static_cast<int>(b), run);
+        if (of == Bond::Kind::line || of == Bond::Kind::couple) tried = static_cast<int>(b);
+        if (of == Bond::Kind::pin && hinge < 0) hinge = static_cast<int>(b);
     }
     if (tried >= 0) {
         try_value(loads, run, tried);
@@ -78,7 +78,7 @@ void Trials::give(Run& run, int b, int size, const std::optional<Force>& largest
     Reaction& reaction = run.reactions[at(b)];
     const Bond& bond = model_.bonds()[at(b)];
     reaction.known = true;
-    const bool is_couple = known_.shape(b, run) == KnownForces::Shape::couple;
+    const bool is_couple = known_.shape(b, run) == Bond::Kind::couple;
     const auto times = [&](const Exact& power) {
         const ScalarHandle number = board_.number(size * power);
         return is_couple ? as_force(number) : board_.scale<Plane::force>(number, reaction.action->direction);

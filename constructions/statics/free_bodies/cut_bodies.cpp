@@ -113,7 +113,7 @@ AppliedForce CutBodies::applied_reaction(const Bond& bond, const Reaction& react
     applied.is_component = !reaction.known;
     if (reaction.alike == Reaction::Alike::component && !reaction.known)
         applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
-    applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
+    applied.kind = bond.effort >= 0 ? Quantity::Kind::effort : Quantity::Kind::force;
     applied.joint = bond.joint;
     applied.given = bond.effort;
     if (bond.effort < 0) applied.line_statement = reaction.line_statement;

@@ -138,7 +138,7 @@ AppliedForce UnsupportedResultants::applied_resultant(const Load& first, Stateme
                                                       const std::optional<Force>& force,
                                                       const std::optional<ScalarHandle>& couple) {
     AppliedForce applied;
-    applied.kind = AppliedForce::Kind::resultant;
+    applied.kind = Quantity::Kind::resultant;
     applied.symbol = resultant_symbol(force.has_value());
     applied.line_statement = applied.force_statement = statement;
     applied.line_by_construction = force.has_value();

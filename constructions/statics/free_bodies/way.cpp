@@ -59,7 +59,7 @@ std::string Way::point_at(PlaceOnDrawing place) {
 AppliedForce Way::applied_sum(const Added& added) {
     AppliedForce applied;
     applied.symbol = added.symbol;
-    applied.kind = AppliedForce::Kind::resultant;
+    applied.kind = Quantity::Kind::resultant;
     applied.elements.force = added.force.element;
     applied.elements.at = added.place.element;
     applied.line_by_construction = true;

@@ -85,7 +85,7 @@ Factors OfForces::force_times_arm(StatementIndex statement, const FreeBody& body
 
 /// For a support that also transmits a couple: the couple at the pair, and the offset of the single force, d = M/F.
 void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
-    if (applied.kind != AppliedForce::Kind::reaction || applied.is_component) return;
+    if (!applied.is_reaction() || applied.is_component) return;
     const auto pair = std::find_if(solution_.forces.begin(), solution_.forces.end(), [&](const JointForce& each) {
         return each.joint == applied.joint && each.on == body.body && each.from == applied.from;
     });
@@ -148,7 +148,7 @@ void OfForces::inertia(StatementIndex statement) {
     const Symbol of = std::get<Symbol>(telling_.message(statement).arguments[1]);
     for (const FreeBody& body : solution_.free_bodies)
         for (const AppliedForce& applied : body.forces) {
-            if (applied.kind != AppliedForce::Kind::inertia ||
+            if (applied.kind != Quantity::Kind::inertia ||
                 body.body != protocol_.statements[at_index(statement)].bodies[0])
                 continue;
             const Mass& mass = solution_.mechanism.masses[at_index(applied.given)];
