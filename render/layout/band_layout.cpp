@@ -154,6 +154,30 @@ bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot roo
     return false;
 }
 
+/// The price of the white beside the figures, below them and below the text beside them. It is quadratic, because one
+/// large area is what is seen. A fifth of the page costs a little less than a step of a scale that can be read anyway.
+double BandLayouts::price_of_white(const Arrangement& layout, double whole, Spot figures, int shown) const {
+    constexpr double price_of_a_page = 8;
+    const double page = format_.content.width() * format_.content.height();
+    const auto price = [&](double width, double height) {
+        const double part = std::max(width, 0.0) * std::max(height, 0.0) / page;
+        return price_of_a_page * part * part;
+    };
+    double left = whole, high = figures.y, sum = 0;
+    if (layout.beside) {
+        const ColumnText& words = text(layout.divided, layout.cornered);
+        const double columns = (layout.columns - layout.under) * (words.measure() + gap);
+        left -= columns;
+        if (layout.under == 0) {
+            const double text = words.height(layout.columns);
+            sum += price(columns, figures.y - text) + price(left, text - figures.y);
+            high = std::max(high, text);
+        }
+    }
+    // Figures stand in the middle of their parts of the room.
+    return sum + price((left - figures.x) / std::max(shown, 2), high);
+}
+
 void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare,
                               double share_of_height) const {
     if (!may_improve(best, layout)) return;
@@ -161,10 +185,13 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
         if (stacked && figures_.sizes().size() < 2) break;
         const auto share = figures_.in(room, {stacked, layout.cornered});
         if (!share || !(layout.score + share->score > best.layout.score)) continue;
+        const Spot taken = stacked ? Spot{share->across, share->length} : Spot{share->length, share->across};
+        const double score = layout.score + share->score - price_of_white(layout, best.whole, taken, share->shown);
+        if (!(score > best.layout.score)) continue;
         best.layout = layout;
         best.room = room;
         best.layout.stacked = stacked;
-        best.layout.score = layout.score + share->score;
+        best.layout.score = score;
         best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
         // With several figures a lower room may have another division; with text below a figure the height is a result
         // of a search.
@@ -256,7 +283,7 @@ BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
 
 BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {
     const double whole = format_.span(width.columns, width.of);
-    Best best;
+    Best best{whole};
     if (height <= notch.high) return best;
     best.most_of_figures = figures_.best_score_in({whole, height});
     if (best.most_of_figures < BandLayout::possible) return best;

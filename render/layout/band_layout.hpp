@@ -130,6 +130,7 @@ private:
     bool may_be_narrow(int divided, bool cornered) const;
     /// The best arrangement so far, and bounds for the search.
     struct Best {
+        double whole = 0;  ///< width of the space, mm
         Arrangement layout{};
         Spot room{};
         double most_of_figures = 0;  ///< upper bound of the score of the figures
@@ -142,6 +143,7 @@ private:
     /// `spare`: the same bound for the text; `share_of_height`: the decrease of the height for a decrease of 1 mm of
     /// the figures.
     void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;
+    double price_of_white(const Arrangement& layout, double whole, Spot figures, int shown) const;
     bool may_improve(const Best& best, const Arrangement& layout) const;
     bool improves(const Best& best, const Arrangement& layout, Spot room) const;
     void add_rooms(BandLayout& layout, const Best& best) const;

@@ -108,12 +108,12 @@ SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
         if (!layout.beside) band.above = band.figures + (band.figures > 0 && has_text ? text_gap : 0);
         band.below = placed.notch.high;
     }
-    if (right > placed.notch.left + notch_grace) band.figures += placed.notch.high;
+    if (right > placed.notch.left + notch_grace) band.block = placed.notch.high;
     return band;
 }
 
 double SheetPages::Standing::height(double loose) const {
-    return std::max(figures, above + (1 + loose) * words + below);
+    return std::max(figures + block, above + (1 + loose) * words + below);
 }
 /// Bands one below the other.
 double SheetPages::height_of(const StandingCell& cell, double loose) {
@@ -157,49 +157,64 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
         }
     }
     const Box content = content_of(format_, page == 0);
-    // The remaining height spaces the text and, a little, the rows.
-    constexpr double most_air = 6;
+    // The remaining height spaces the text, then the rows; figures stand in the middle of what their band gets.
+    constexpr double most_of_a_row = 24, most_of_a_band = 16;
     const double loose = looseness_of(rows, content.height());
     const double air =
-        std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_air);
+        std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_of_a_row);
     double y = content.min.y;
     for (const StandingRow& row : rows) {
-        const double height = height_of(row, loose);
+        const double height = height_of(row, loose) + air;
         for (const StandingCell& cell : row) {
             double down = y;
+            const double spare = (height - height_of(cell, loose)) / static_cast<double>(cell.size());
             for (const Standing& band : cell) {
-                set_band(marks, scale_of_mechanism, band, {band.placed->room.min.x, down}, loose);
-                down += band.height(loose) + row_gap + std::min(air, (height - height_of(cell, loose)) / 2);
+                const bool last = &band == &cell.back();
+                const double own = last ? y + height - down - band.height(loose) : std::min(spare, most_of_a_band);
+                set_band(marks, scale_of_mechanism, band, {band.placed->room.min.x, down}, loose, own);
+                down += band.height(loose) + own + row_gap;
             }
         }
-        y += height + row_gap + air;
+        y += height + row_gap;
     }
     return marks;
 }
 
+/// `spare`: height that the band has beyond its own.
 void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band,
-                          Spot at, double loose) {
+                          Spot at, double loose, double spare) {
+    constexpr double most_above_text = 12;
     const std::size_t index = band.placed->band;
     marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
+    const bool has_text = band.layout.divided > 0, is_below = has_text && (band.above > 0 || band.layout.under > 0);
     double below = 0;
     DrawnFigures::ByBand& by_band = contents_.figures.by_band();
-    if (const auto figures = by_band.find(index); figures != by_band.end())
-        below = set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at);
-    if (band.layout.divided > 0) set_text(marks, band, at, below, loose);
+    if (const auto figures = by_band.find(index); figures != by_band.end()) {
+        below = band.figures + std::min(spare, most_above_text);
+        if (band.layout.under > 0) below = band.figures;
+        set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at,
+                    is_below ? below : band.height(loose) - band.block + spare);
+    }
+    if (has_text) set_text(marks, band, at, below, loose);
     marks.emplace_back(GroupEnd{});
 }
 
-/// Returns their height.
-double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
-                               std::vector<DrawnFigure>& figures, bool stacked, Spot at) {
-    double down = 0, below = 0;
+/// Each figure stands in the middle between its caption and the end of its part of `height`, but near its caption.
+void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
+                             std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height) {
+    constexpr double most_below_caption = 30;
+    double own = -gap;
+    for (const DrawnFigure& drawn : figures) own = stacked ? own + gap + drawn.height() : drawn.height();
+    const double shared = (height - own) / static_cast<double>(figures.size());
+    double down = 0;
     for (DrawnFigure& drawn : figures) {
-        const Spot corner{at.x + drawn.room.min.x, at.y + (stacked ? down : 0)};
+        const double spare = std::max(stacked ? shared : height - drawn.height(), 0.0);
+        const Spot corner{at.x + drawn.room.min.x, at.y + down};
         set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
         if (drawn.number == 1) first_caption_ = corner, first_caption_width_ = drawn.room.width();
         const Box& box = drawn.figure.box;
         const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()),
-                      corner.y + drawn.caption - box.min.y};
+                      corner.y + drawn.caption - box.min.y + std::min(0.5 * spare, most_below_caption)};
         drawn.figure.move(by.x, by.y);
         tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
@@ -207,10 +222,8 @@ double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& 
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
         if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
             scale_of_mechanism = drawn.figure.scale;
-        down += drawn.height() + gap;
-        below = stacked ? down - gap : std::max(below, drawn.height());
+        if (stacked) down += drawn.height() + spare + gap;
     }
-    return below;
 }
 
 void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose) {

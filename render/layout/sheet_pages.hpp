@@ -53,7 +53,8 @@ private:
     struct Standing {
         const PlacedBand* placed;
         BandLayout layout;
-        double figures = 0;  ///< height of the figures, with what the title block takes below them
+        double figures = 0;  ///< height of the figures
+        double block = 0;    ///< what the title block takes below them
         double above = 0;    ///< top of the first column of text
         double words = 0;    ///< height of the text from there on
         double below = 0;    ///< what the title block takes below it
@@ -69,9 +70,9 @@ private:
     Standing standing(const PlacedBand& placed) const;
     std::vector<Mark> marks_on(std::size_t page, std::optional<double>& scale_of_mechanism);
     void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
-                  double loose);
-    double set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
-                       std::vector<DrawnFigure>& figures, bool stacked, Spot at);
+                  double loose, double spare);
+    void set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
+                     std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height);
     void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose);
 
     const DrawingContext& context_;
