@@ -23,7 +23,7 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
     const auto found = texts_.find(key);
     if (found != texts_.end()) return found->second;
     std::vector<Passage> own = own_rows(whole(band, divided, cornered), band);
-    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), format_.text_size)).first->second;
+    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), size_)).first->second;
 }
 
 BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
@@ -43,8 +43,7 @@ const Passage& BandTexts::passage(const Band& band, std::size_t part, int divide
     else if (!cornered && planned_ != nullptr && kind != Band::Part::Kind::results)
         text.passages[part] = planned_->passage(band, part, divided, false);
     else
-        text.passages[part] =
-            bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
+        text.passages[part] = bands_.text(band.parts[part], format_.span(1, divided) / size_, cornered, results_);
     text.is_set[part] = true;
     return text.passages[part];
 }
@@ -61,7 +60,7 @@ bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
         // Sentences adapt to any width.
         if (band.parts[part].kind == Band::Part::Kind::steps) continue;
         const Passage& set = passage(band, part, divided, cornered);
-        if (!set.rows.empty() && is_wider(set, format_.text_size, measure)) return true;
+        if (!set.rows.empty() && is_wider(set, size_, measure)) return true;
     }
     return false;
 }
@@ -81,9 +80,7 @@ std::vector<std::size_t> BandTexts::rows_by_passage(const Band& band) {
 const Block& BandTexts::equations(const Band& band) {
     const auto [found, fresh] = equations_.try_emplace(band.question);
     constexpr double of_measure = 1.25;
-    if (fresh)
-        found->second =
-            scaled(bands_.equations(band, of_measure * format_.measure / format_.text_size), format_.text_size);
+    if (fresh) found->second = scaled(bands_.equations(band, of_measure * format_.measure / size_), size_);
     return found->second;
 }
 
@@ -94,14 +91,12 @@ void BandTexts::forget(const std::string& question) {
 }
 
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, MeasuredFigures& measured,
-                         const SheetFormat& format, std::optional<double> force_scale, bool crowded, bool narrow)
+                         const SheetFormat& format, std::vector<std::vector<FigureSize>> sizes, bool narrow)
     : all_texts_(texts),
       band_(band),
       format_(format),
       narrow_(narrow),
       times_forgotten_(texts.times_forgotten(band.question)) {
-    std::vector<std::vector<FigureSize>> sizes;
-    for (const std::size_t figure : band.figures) sizes.push_back(measured.sizes(figure, force_scale, crowded));
     if (sizes.size() == 1 && wanted.list[band.figures.front()].has_corner)
         if (const Block& set = texts.equations(band); set.width > 0) {
             equations_ = &set;
@@ -270,8 +265,9 @@ const WorthByHeight& BandLayouts::score(Width width, const Notch& notch, double 
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {
-    return &band_ == &other.band_ && narrow_ == other.narrow_ && times_forgotten_ == other.times_forgotten_ &&
-           figures_.sizes() == other.figures_.sizes() && (equations_ != nullptr) == (other.equations_ != nullptr);
+    return &all_texts_ == &other.all_texts_ && &band_ == &other.band_ && narrow_ == other.narrow_ &&
+           times_forgotten_ == other.times_forgotten_ && figures_.sizes() == other.figures_.sizes() &&
+           (equations_ != nullptr) == (other.equations_ != nullptr);
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {

@@ -55,11 +55,18 @@ struct BandLayout : Arrangement {
 /// once.
 class BandTexts {
 public:
-    /// `planned`: texts with other results; everything that does not depend on results is copied from it.
-    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format,
-              BandTexts* planned = nullptr)
-        : bands_(bands), results_(results), format_(format), planned_(planned) {}
+    /// `size`: of the text, relative to the theme.
+    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format, double size)
+        : bands_(bands), results_(results), format_(format), size_(size), planned_(nullptr) {}
+    /// Texts with other results than `planned`; everything that does not depend on results is copied from it.
+    BandTexts(const std::vector<ResultRow>& results, BandTexts& planned)
+        : bands_(planned.bands_),
+          results_(results),
+          format_(planned.format_),
+          size_(planned.size_),
+          planned_(&planned) {}
 
+    double size() const { return size_; }
     /// The text for columns of a page that is divided into `divided`; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
     /// Whether a table is too wide for such columns; the other parts are not typeset then. Always false for a text that
@@ -93,6 +100,7 @@ private:
     const Bands& bands_;
     const std::vector<ResultRow>& results_;
     const SheetFormat& format_;
+    double size_;
     BandTexts* planned_;
     using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
     std::map<Setting, Whole> wholes_;
@@ -107,10 +115,9 @@ using WorthByHeight = std::vector<double>;
 
 class BandLayouts {
 public:
-    /// `force_scale`: see MeasuredFigures::sizes(); `crowded`: figures may be hard to read; `narrow`: columns may be
-    /// narrower than those of the format.
+    /// `sizes`: of its figures; `narrow`: columns may be narrower than those of the format.
     BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, MeasuredFigures& measured,
-                const SheetFormat& format, std::optional<double> force_scale, bool crowded, bool narrow);
+                const SheetFormat& format, std::vector<std::vector<FigureSize>> sizes, bool narrow);
 
     /// The arrangement with the highest score for this height, mm.
     BandLayout in(Width width, double height, Notch notch = {}) const;

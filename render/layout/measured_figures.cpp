@@ -247,8 +247,9 @@ double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, co
     const Box& box = drawing.figure.box;
     if (box.width() > size.x || box.height() > size.y - size.caption + rounding)
         return std::numeric_limits<double>::infinity();
-    if (!drawing.wider) drawing.wider = width_beside(drawing.figure, equations);
-    return *drawing.wider;
+    if (drawing.beside != equations.width)
+        drawing.beside = equations.width, drawing.wider = width_beside(drawing.figure, equations);
+    return drawing.wider;
 }
 
 }  // namespace kinegraph::render

@@ -41,7 +41,7 @@ private:
         Spot room;
         ScaleWish wish;
         Figure figure;
-        std::optional<double> wider{};  // by how much it must be wider for the equations of its band
+        double beside = 0, wider = 0;  // width of the equations of its band, and by how much it must be wider for them
     };
     struct Measure {
         double scale;  // units of the extents per mm

@@ -69,8 +69,8 @@ std::vector<ResultRow> results_measured(const Bands& bands, const DrawnFigures& 
 
 }  // namespace
 
-DrawnText::DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned)
-    : results_(results_measured(bands, figures)), texts_(bands, results_, format, &planned) {}
+DrawnText::DrawnText(const Bands& bands, const DrawnFigures& figures, BandTexts& planned)
+    : results_(results_measured(bands, figures)), texts_(results_, planned) {}
 
 std::vector<Page> SheetPages::set(std::size_t after) {
     std::vector<Page> pages;

@@ -15,7 +15,7 @@ namespace kinegraph::render {
 /// The text of bands, with the lengths measured on the drawn figures.
 class DrawnText {
 public:
-    DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned);
+    DrawnText(const Bands& bands, const DrawnFigures& figures, BandTexts& planned);
     DrawnText(const DrawnText&) = delete;  // its texts refer to its results
     DrawnText& operator=(const DrawnText&) = delete;
 

@@ -2,12 +2,57 @@
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 
+namespace {
+
+constexpr double larger_text[] = {1.25, 1.125};  // relative to the text of the format
+
+}  // namespace
+
 void SheetPlan::make() {
+    if (texts_->size() != format_.text_size) {
+        layouts_.clear();
+        texts_ = std::make_unique<BandTexts>(bands_, bands_.results(), format_, format_.text_size);
+    }
+    find_pages();
+    if (may_enlarge_text_) enlarge_text();
+}
+
+/// The figures keep their scales at least.
+void SheetPlan::enlarge_text() {
+    not_coarser_ = scales();
+    for (const double larger : larger_text) {
+        std::unique_ptr<BandTexts> texts =
+            std::make_unique<BandTexts>(bands_, bands_.results(), format_, larger * format_.text_size);
+        std::vector<BandLayouts> layouts = std::move(layouts_);
+        std::vector<PlannedPage> pages = std::move(pages_);
+        const double score = score_;
+        layouts_.clear();
+        texts_.swap(texts);
+        if (has_room_for_tables()) plan_all();
+        if (!pages_.empty() && pages_.size() <= pages.size()) break;
+        texts_.swap(texts);
+        layouts_ = std::move(layouts), pages_ = std::move(pages), score_ = score;
+    }
+    not_coarser_.reset();
+}
+
+bool SheetPlan::has_room_for_tables() const {
+    return std::none_of(bands_.list.begin(), bands_.list.end(),
+                        [&](const Band& band) { return texts_->has_too_wide(band, format_.columns, false); });
+}
+
+bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
+    if (divided > format_.columns) return wide_.insert(question).second;
+    return std::exchange(may_enlarge_text_, false);
+}
+
+void SheetPlan::find_pages() {
     if (finds_pages()) return;
     give_each_a_page();
     const bool found = finds_pages();
@@ -112,7 +157,7 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     constexpr std::size_t fewest = 2;
     constexpr double one_step = 0.7;  // of the scale
     const Band& band = bands_.list[index];
-    const std::size_t all = texts_.rows(band);
+    const std::size_t all = texts_->rows(band);
     const auto score = [&](std::size_t rows) { return score_of(index, band.first_row + rows); };
     const double best = all < fewest ? BandLayout::impossible : score(fewest);
     // Two rows may be higher than a page.
@@ -126,18 +171,22 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
         const std::size_t middle = (good + bad) / 2;
         (is_good(middle) ? good : bad) = middle;
     }
-    return without_widows(texts_.rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
+    return without_widows(texts_->rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
 }
 
 BandLayouts SheetPlan::layouts_of(const Band& band) {
-    return {texts_,
-            band,
-            wanted_,
-            measured_,
-            format_,
-            force_scale_,
-            crowded_.contains(band.question),
-            !wide_.contains(band.question)};
+    std::vector<std::vector<FigureSize>> sizes;
+    for (const std::size_t figure : band.figures) {
+        sizes.push_back(measured_.sizes(figure, force_scale_, crowded_.contains(band.question)));
+        if (!not_coarser_) continue;
+        constexpr double rounding = 1e-9;
+        const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));
+        if (kept == not_coarser_->of_figures.end()) continue;
+        std::erase_if(sizes.back(), [&](const FigureSize& size) {
+            return !(size.x > 0) || size.scale > kept->second * (1 + rounding);
+        });
+    }
+    return {*texts_, band, wanted_, measured_, format_, std::move(sizes), !wide_.contains(band.question)};
 }
 
 /// Divides a band: `rows` rows stay with its figures, the rest becomes a band without figures.
@@ -165,7 +214,8 @@ void SheetPlan::rejoin() {
 /// moved.
 void SheetPlan::part_figures(std::size_t index) {
     Band& band = bands_.list[index];
-    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_.rows(band))) return divide(index, 0);
+    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_->rows(band)))
+        return divide(index, 0);
     KG_ASSERT(band.figures.size() > 1, "a page holds a figure, and two rows of text");
     Band rest = band;
     const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);

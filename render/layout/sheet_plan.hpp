@@ -2,6 +2,7 @@
 // page can hold. Draws nothing.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,10 +19,11 @@ public:
           measured_(measured),
           bands_(bands),
           format_(format),
-          texts_(bands, bands.results(), format) {}
+          texts_(std::make_unique<BandTexts>(bands, bands.results(), format, format.text_size)) {}
 
     /// Finds the plan with the fewest pages, and of these the one with the highest score. The text of a band that no
-    /// page can hold is divided over pages; if that is not enough, its figures are shown smaller.
+    /// page can hold is divided over pages; if that is not enough, its figures are shown smaller. Then the text takes
+    /// the largest size that costs neither a page nor a scale.
     void make();
 
     const std::vector<PlannedPage>& pages() const { return pages_; }
@@ -31,7 +33,7 @@ public:
     /// Of the figures shown, and of the force polygons.
     KeptScales scales() const;
     const BandLayouts& layouts(std::size_t band) const { return layouts_[band]; }
-    BandTexts& texts() { return texts_; }
+    BandTexts& texts() { return *texts_; }
     /// Calls look(placed, layout) for each band in order.
     template <class Look>
     void for_each_band(Look look) const {
@@ -41,11 +43,15 @@ public:
                     for (const PlacedBand& placed : cell) look(placed, layout_of(placed));
     }
 
-    /// For the next plan: tables of a band are too wide for narrow columns. False if that was recorded before.
-    bool has_wide_tables(const std::string& question) { return wide_.insert(question).second; }
+    /// For the next plan: tables of a band are too wide for columns of a page that is divided into `divided`. False if
+    /// that was recorded before.
+    bool has_wide_tables(const std::string& question, int divided);
 
 private:
+    void find_pages();
     bool finds_pages();
+    void enlarge_text();
+    bool has_room_for_tables() const;
     void plan_all();
     void give_each_a_page();
     double score_of(std::size_t index, std::size_t end_row);
@@ -59,9 +65,11 @@ private:
     MeasuredFigures& measured_;
     Bands& bands_;
     const SheetFormat& format_;
-    BandTexts texts_;
-    std::set<std::string> crowded_;  // bands whose figures may be hard to read
-    std::set<std::string> wide_;     // bands whose tables are too wide for narrow columns
+    std::unique_ptr<BandTexts> texts_;
+    bool may_enlarge_text_ = true;
+    std::optional<KeptScales> not_coarser_;  // the scales that figures have at least
+    std::set<std::string> crowded_;          // bands whose figures may be hard to read
+    std::set<std::string> wide_;             // bands whose tables are too wide for narrow columns
     std::optional<double> force_scale_;
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> pages_;

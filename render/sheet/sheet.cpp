@@ -77,7 +77,7 @@ private:
                 if (const std::vector<RichText>& left_out = drawn.figure.unnamed; !left_out.empty())
                     changed = remark(drawn, lang::sheet::names_left_out, left_out) || changed;
             }
-        text_.emplace(bands_, figures_, format_, plan_.texts());
+        text_.emplace(bands_, figures_, plan_.texts());
         return changed || has_wider_tables();
     }
     bool misses_its_scale(const DrawnFigure& drawn) const {
@@ -112,8 +112,8 @@ private:
         bool found = false;
         plan_.for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
             const Band& band = bands_.list[placed.band];
-            if (layout.divided > format_.columns && text_->of(band, layout).is_too_wide())
-                found = plan_.has_wide_tables(band.question) || found;
+            if (layout.divided > 0 && text_->of(band, layout).is_too_wide())
+                found = plan_.has_wide_tables(band.question, layout.divided) || found;
         });
         return found;
     }
