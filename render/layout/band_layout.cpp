@@ -151,26 +151,33 @@ bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot roo
 
 /// The price of the white beside the figures, below them and below the text beside them. It is quadratic, because one
 /// large area is what is seen. A fifth of the page costs a little less than a step of a scale that can be read anyway.
-double BandLayouts::price_of_white(const Arrangement& layout, double whole, Spot figures, int shown) const {
+double BandLayouts::price_of_white(const Arrangement& layout, const Best& best, Spot figures, int shown) const {
     constexpr double price_of_a_page = 8;
     const double page = format_.content.width() * format_.content.height();
     const auto price = [&](double width, double height) {
         const double part = std::max(width, 0.0) * std::max(height, 0.0) / page;
         return price_of_a_page * part * part;
     };
-    double left = whole, high = figures.y, sum = 0;
-    if (layout.beside) {
+    double left = best.whole, high = figures.y, sum = 0;
+    if (layout.divided > 0) {
         const ColumnText& words = text(layout.divided, layout.cornered);
-        const double columns = (layout.columns - layout.under) * (words.measure() + gap);
+        const int beside = layout.beside ? layout.columns - layout.under : 0;
+        const double columns = beside * (words.measure() + gap);
         left -= columns;
-        if (layout.under == 0) {
+        if (layout.under > 0) {
+            high = std::max(high,
+                            words.whole_height() / layout.columns + (high + text_gap) * layout.under / layout.columns);
+        } else if (layout.beside) {
             const double text = words.height(layout.columns);
-            sum += price(columns, figures.y - text) + price(left, text - figures.y);
             high = std::max(high, text);
+            // The figures stand in the middle of this height.
+            sum += price(columns, figures.y - text) + 2 * price(left, 0.5 * (text - figures.y));
+        } else {
+            high += text_gap + words.height(layout.columns);
         }
     }
-    // Figures stand in the middle of their parts of the room.
-    return sum + price((left - figures.x) / std::max(shown, 2), high);
+    const double beside_figures = layout.beside && layout.under == 0 ? high : figures.y;
+    return sum + price(best.whole, best.ends - high) + price((left - figures.x) / std::max(shown, 2), beside_figures);
 }
 
 void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare,
@@ -181,7 +188,7 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
         const auto share = figures_.in(room, {stacked, layout.cornered});
         if (!share || !(layout.score + share->score > best.layout.score)) continue;
         const Spot taken = stacked ? Spot{share->across, share->length} : Spot{share->length, share->across};
-        const double score = layout.score + share->score - price_of_white(layout, best.whole, taken, share->shown);
+        const double score = layout.score + share->score - price_of_white(layout, best, taken, share->shown);
         if (!(score > best.layout.score)) continue;
         best.layout = layout;
         best.room = room;
@@ -222,7 +229,7 @@ const WorthByHeight& BandLayouts::score(Width width, const Notch& notch, double 
         bool is_certain;    ///< `least` is exact, and the heights between are filled in
     };
     const auto ask = [&](std::size_t height) -> Asked {
-        const Best best = best_in(width, static_cast<double>(height) * step, notch);
+        const Best best = best_in(width, static_cast<double>(height) * step, notch, false);
         score[height] = best.layout.score;
         constexpr double rounding = 1e-6;
         const auto lower =
@@ -271,15 +278,16 @@ bool BandLayouts::is_like(const BandLayouts& other) const {
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
-    const Best best = best_in(width, height, notch);
+    const Best best = best_in(width, height, notch, true);
     BandLayout layout{best.layout};
     add_rooms(layout, best);
     return layout;
 }
 
-BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {
+BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch, bool fills) const {
     const double whole = format_.span(width.columns, width.of);
-    Best best{whole};
+    constexpr double spaced = 12;  // mm, about what rows and figures are spaced by
+    Best best{whole, fills ? height - notch.high - spaced : 0};
     if (height <= notch.high) return best;
     best.most_of_figures = figures_.best_score_in({whole, height});
     if (best.most_of_figures < BandLayout::possible) return best;

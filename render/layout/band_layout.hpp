@@ -119,7 +119,7 @@ public:
     BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, MeasuredFigures& measured,
                 const SheetFormat& format, std::vector<std::vector<FigureSize>> sizes, bool narrow);
 
-    /// The arrangement with the highest score for this height, mm.
+    /// The arrangement with the highest score for this height, mm, where white below it has a price too.
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// The scores for the heights 0, step, … most × step. Cached.
     const WorthByHeight& score(Width width, const Notch& notch, double step, int most) const;
@@ -138,19 +138,21 @@ private:
     /// The best arrangement so far, and bounds for the search.
     struct Best {
         double whole = 0;  ///< width of the space, mm
+        double ends = 0;   ///< height down to which white has a price
         Arrangement layout{};
         Spot room{};
         double most_of_figures = 0;  ///< upper bound of the score of the figures
         double spare = 0;            ///< by how much the height may decrease with the same arrangement, about, mm
         bool lasts = false;          ///< `spare` is exact
     };
-    Best best_in(Width width, double height, Notch notch) const;
+    /// `fills`: white at the end of the space has a price.
+    Best best_in(Width width, double height, Notch notch, bool fills) const;
     void try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const;
     void try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const;
     /// `spare`: the same bound for the text; `share_of_height`: the decrease of the height for a decrease of 1 mm of
     /// the figures.
     void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;
-    double price_of_white(const Arrangement& layout, double whole, Spot figures, int shown) const;
+    double price_of_white(const Arrangement& layout, const Best& best, Spot figures, int shown) const;
     bool may_improve(const Best& best, const Arrangement& layout) const;
     bool improves(const Best& best, const Arrangement& layout, Spot room) const;
     void add_rooms(BandLayout& layout, const Best& best) const;

@@ -30,47 +30,48 @@ double use_of_figure(double size) {
 }  // namespace
 
 const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::optional<double> force_scale,
-                                                      bool crowded) {
+                                                      Range range) {
     const Wanted& wanted = wanted_.list[figure];
     if (!wanted.to_force_scale) force_scale.reset();
-    const auto [found, fresh] = sizes_.try_emplace({figure, force_scale.value_or(0), crowded});
+    const auto [found, fresh] = sizes_.try_emplace({figure, force_scale.value_or(0), range});
     std::vector<FigureSize>& sizes = found->second;
     if (!fresh) return sizes;
-    for (const Measure& each : measures(wanted, force_scale, crowded)) {
-        measure(sizes, figure, each);
+    for (const Measure& each : measures(wanted, force_scale, range)) {
+        measure(sizes, figure, each, range);
         if (sizes.empty()) continue;
         // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
         const Box& box = drawings_[figure][sizes.back().drawing].figure.box;
         const bool asked = each.wish.asked.has_value() && !wanted.spare;
-        if (asked && !crowded && box.width() <= page().x && box.height() <= page().y) break;
+        if (asked && range != Range::crowded && box.width() <= page().x && box.height() <= page().y) break;
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
     // What is larger than a page has that page; the first one has its title block.
     const double most = format_.block.min.y - above_block - format_.content.min.y;
-    if (crowded)
+    if (range == Range::crowded)
         for (FigureSize& size : sizes) size.y = std::min(size.y, most);
     if (wanted.spare) sizes.push_back({});
     return sizes;
 }
 
 /// A figure that fills its room has shrunk where its names needed the room.
-double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing) const {
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing,
+                                 Range range) const {
     constexpr double as_asked = 6;
     const bool has_shrunk = wanted.fills && drawing.places > measure.scale;
-    const double size =
-        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0, wanted.enough);
+    const double size = std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0,
+                                   range == Range::up_to_page ? page().x : wanted.enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
 }
 
 /// Names spread where they have space. If they make the figure wider than a column, it is also drawn with its names
 /// within that column, as far as they find places there.
-void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure) {
+void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range) {
     const Wanted& wanted = wanted_.list[figure];
     const std::size_t free = drawn(figure, measure);
     const Figure& drawing = drawings_[figure][free].figure;
     if (drawing.scale == any_scale) return;
-    const double score = score_of(wanted, measure, drawing);
+    const double score = score_of(wanted, measure, drawing, range);
     // What fills its room has the scale of its vectors; that of its strokes is not its own.
     const auto scale_of = [&](const Figure& drawn) { return wanted.fills ? measure.scale : drawn.scale; };
     add_sizes(sizes, figure, free, score, scale_of(drawing));
@@ -130,12 +131,12 @@ std::vector<double> MeasuredFigures::force_scales() const {
 }
 
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
-                                                                bool crowded) const {
+                                                                Range range) const {
     if (wanted.empty) return {{1, {60, 30}, {}}};
     if (wanted.fills) return as_kept(wanted, filling(wanted));
     if (wanted.extent() < nothing) return {{1, page(), {}}};
     if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
-    return as_kept(wanted, at_scales(wanted, crowded));
+    return as_kept(wanted, at_scales(wanted, range));
 }
 
 /// Only with the scale that is kept. What was left out to save room stays so.
@@ -188,11 +189,12 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Want
     return all;
 }
 
-std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& wanted, bool crowded) const {
+std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& wanted, Range range) const {
     std::vector<Measure> all;
     if (wanted.asked) all.push_back({*wanted.asked, page(), {0, wanted.asked}});
-    const double largest = std::min(largest_of_scaled, wanted.enough);
-    const double least = std::max(crowded ? std::min(wanted.least, hardly_readable) : wanted.least, hardly_readable);
+    const double largest = range == Range::up_to_page ? page().x : std::min(largest_of_scaled, wanted.enough);
+    const double least =
+        std::max(range == Range::crowded ? std::min(wanted.least, hardly_readable) : wanted.least, hardly_readable);
     double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
                                 std::min(page().y, largest), std::nullopt);
     for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least); first = false) {

@@ -23,9 +23,11 @@ public:
                     const std::optional<KeptScales>& kept)
         : context_(context), wanted_(wanted), format_(format), kept_(kept), drawings_(wanted.list.size()) {}
 
+    /// The sizes that are measured: down to one that can hardly be read, or up to the page.
+    enum class Range : std::uint8_t { usual, crowded, up_to_page };
     /// The sizes of a figure (index into WantedFigures::list), the highest score first. `force_scale`: the common scale
-    /// of force polygons. `crowded`: down to a size that can hardly be read.
-    const std::vector<FigureSize>& sizes(std::size_t figure, std::optional<double> force_scale, bool crowded);
+    /// of force polygons.
+    const std::vector<FigureSize>& sizes(std::size_t figure, std::optional<double> force_scale, Range range);
     /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
     /// polygons, or the file gives their scale.
     std::vector<double> force_scales() const;
@@ -48,16 +50,16 @@ private:
         Spot room;
         ScaleWish wish;
     };
-    void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure);
-    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing) const;
+    void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range);
+    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing, Range range) const;
     const Wanted* largest_of_forces() const;
     std::optional<double> narrower(double width, double least) const;
-    std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, bool crowded) const;
+    std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;
     std::vector<Measure> filling(const Wanted& wanted) const;
     Measure filling_at(const Wanted& wanted, double scale) const;
     std::vector<Measure> as_kept(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;
-    std::vector<Measure> at_scales(const Wanted& wanted, bool crowded) const;
+    std::vector<Measure> at_scales(const Wanted& wanted, Range range) const;
     std::size_t drawn(std::size_t figure, const Measure& measure);
     void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
                    double scale) const;
@@ -68,7 +70,7 @@ private:
     const SheetFormat& format_;
     const std::optional<KeptScales>& kept_;
     std::vector<std::deque<Drawing>> drawings_;  // by figure; a deque, because references to drawings are kept
-    std::map<std::tuple<std::size_t, double, bool>, std::vector<FigureSize>> sizes_;
+    std::map<std::tuple<std::size_t, double, Range>, std::vector<FigureSize>> sizes_;
 };
 
 }  // namespace kinegraph::render

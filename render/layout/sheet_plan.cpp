@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/number/assert.hpp"
+#include "render/page/scale.hpp"
 
 namespace kinegraph::render {
 
@@ -15,36 +16,51 @@ constexpr double larger_text[] = {1.25, 1.125};  // relative to the text of the 
 }  // namespace
 
 void SheetPlan::make() {
-    if (texts_->size() != format_.text_size) {
-        layouts_.clear();
-        texts_ = std::make_unique<BandTexts>(bands_, bands_.results(), format_, format_.text_size);
-    }
+    if (now_.texts->size() != format_.text_size) now_ = {texts_of(format_.text_size)};
     find_pages();
-    if (may_enlarge_text_) enlarge_text();
+    enlarge_figures();
+    for (const double larger : larger_text)
+        if (may_enlarge_text_ && enlarge_text(larger * format_.text_size)) break;
 }
 
-/// The figures keep their scales at least.
-void SheetPlan::enlarge_text() {
+std::unique_ptr<BandTexts> SheetPlan::texts_of(double size) const {
+    return std::make_unique<BandTexts>(bands_, bands_.results(), format_, size);
+}
+
+/// Plans anew, with no figure at a coarser scale. Keeps the plan before, and returns false, if it has fewer pages.
+bool SheetPlan::improves(std::unique_ptr<BandTexts> texts) {
     not_coarser_ = scales();
-    for (const double larger : larger_text) {
-        std::unique_ptr<BandTexts> texts =
-            std::make_unique<BandTexts>(bands_, bands_.results(), format_, larger * format_.text_size);
-        std::vector<BandLayouts> layouts = std::move(layouts_);
-        std::vector<PlannedPage> pages = std::move(pages_);
-        const double score = score_;
-        layouts_.clear();
-        texts_.swap(texts);
-        if (has_room_for_tables()) plan_all();
-        if (!pages_.empty() && pages_.size() <= pages.size()) break;
-        texts_.swap(texts);
-        layouts_ = std::move(layouts), pages_ = std::move(pages), score_ = score;
-    }
+    Planned before = std::exchange(now_, {std::move(texts)});
+    plan_all();
     not_coarser_.reset();
+    const bool good = !now_.pages.empty() && now_.pages.size() <= before.pages.size();
+    if (!good) now_ = std::move(before);
+    return good;
 }
 
-bool SheetPlan::has_room_for_tables() const {
-    return std::none_of(bands_.list.begin(), bands_.list.end(),
-                        [&](const Band& band) { return texts_->has_too_wide(band, format_.columns, false); });
+bool SheetPlan::enlarge_text(double size) {
+    std::unique_ptr<BandTexts> texts = texts_of(size);
+    const auto is_too_wide = [&](const Band& band) { return texts->has_too_wide(band, format_.columns, false); };
+    return std::none_of(bands_.list.begin(), bands_.list.end(), is_too_wide) && improves(std::move(texts));
+}
+
+/// Figures that have their largest size may be larger where their bands have room for the next scale.
+void SheetPlan::enlarge_figures() {
+    large_.clear();
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const Band& band = bands_.list[placed.band];
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+            const FigureSize& size = layout.sizes[f];
+            const Wanted& wanted = wanted_.list[band.figures[f]];
+            if (!(size.x > 0) || wanted.fills || wanted.to_force_scale || wanted.empty || wanted.asked) continue;
+            // Its strokes grow, its names do not.
+            const double finer = finer_scale(size.scale), more = 1 / finer - 1 / size.scale;
+            if (size.x + more * wanted.extent_x < placed.room.width() &&
+                size.y + more * wanted.extent_y < placed.room.height())
+                large_.insert(band.question);
+        }
+    });
+    if (!large_.empty() && !improves(texts_of(format_.text_size))) large_.clear();
 }
 
 bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
@@ -64,7 +80,7 @@ bool SheetPlan::finds_pages() {
     std::vector<double> scales = measured_.force_scales();
     if (scales.empty()) {
         plan_all();
-        return !pages_.empty();
+        return !now_.pages.empty();
     }
     std::optional<double> best;
     std::size_t fewest = 0;
@@ -72,11 +88,11 @@ bool SheetPlan::finds_pages() {
     for (const double scale : scales) {
         force_scale_ = scale;
         plan_all();
-        if (pages_.empty() || (best && pages_.size() > fewest)) continue;
-        if (best && pages_.size() == fewest && !(score_ > most)) continue;
+        if (now_.pages.empty() || (best && now_.pages.size() > fewest)) continue;
+        if (best && now_.pages.size() == fewest && !(now_.score > most)) continue;
         best = scale;
-        fewest = pages_.size();
-        most = score_;
+        fewest = now_.pages.size();
+        most = now_.score;
     }
     if (best && force_scale_ != best) {
         force_scale_ = best;
@@ -86,16 +102,16 @@ bool SheetPlan::finds_pages() {
 }
 
 void SheetPlan::plan_all() {
-    std::vector<BandLayouts> before = std::move(layouts_);
-    layouts_.clear();
+    std::vector<BandLayouts> before = std::move(now_.layouts);
+    now_.layouts.clear();
     for (std::size_t b = 0; b < bands_.list.size(); ++b) {
         BandLayouts layouts = layouts_of(bands_.list[b]);
         const bool same = b < before.size() && before[b].is_like(layouts);
-        layouts_.push_back(std::move(same ? before[b] : layouts));
+        now_.layouts.push_back(std::move(same ? before[b] : layouts));
     }
-    PagePlan plan = plan_pages(layouts_, bands_.list, format_);
-    pages_ = std::move(plan.pages);
-    score_ = plan.score;
+    PagePlan plan = plan_pages(now_.layouts, bands_.list, format_);
+    now_.pages = std::move(plan.pages);
+    now_.score = plan.score;
 }
 
 KeptScales SheetPlan::scales() const {
@@ -134,7 +150,7 @@ std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t
 }  // namespace
 
 void SheetPlan::give_each_a_page() {
-    layouts_.clear();
+    now_.layouts.clear();
     rejoin();
     for (std::size_t b = 0; b < bands_.list.size(); ++b)
         while (score_of(b, bands_.list[b].end_row) < BandLayout::possible)
@@ -157,7 +173,7 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     constexpr std::size_t fewest = 2;
     constexpr double one_step = 0.7;  // of the scale
     const Band& band = bands_.list[index];
-    const std::size_t all = texts_->rows(band);
+    const std::size_t all = now_.texts->rows(band);
     const auto score = [&](std::size_t rows) { return score_of(index, band.first_row + rows); };
     const double best = all < fewest ? BandLayout::impossible : score(fewest);
     // Two rows may be higher than a page.
@@ -171,13 +187,17 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
         const std::size_t middle = (good + bad) / 2;
         (is_good(middle) ? good : bad) = middle;
     }
-    return without_widows(texts_->rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
+    return without_widows(now_.texts->rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
 }
 
 BandLayouts SheetPlan::layouts_of(const Band& band) {
+    using Range = MeasuredFigures::Range;
+    const Range range = crowded_.contains(band.question) ? Range::crowded
+                        : large_.contains(band.question) ? Range::up_to_page
+                                                         : Range::usual;
     std::vector<std::vector<FigureSize>> sizes;
     for (const std::size_t figure : band.figures) {
-        sizes.push_back(measured_.sizes(figure, force_scale_, crowded_.contains(band.question)));
+        sizes.push_back(measured_.sizes(figure, force_scale_, range));
         if (!not_coarser_) continue;
         constexpr double rounding = 1e-9;
         const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));
@@ -186,7 +206,7 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
             return !(size.x > 0) || size.scale > kept->second * (1 + rounding);
         });
     }
-    return {*texts_, band, wanted_, measured_, format_, std::move(sizes), !wide_.contains(band.question)};
+    return {*now_.texts, band, wanted_, measured_, format_, std::move(sizes), !wide_.contains(band.question)};
 }
 
 /// Divides a band: `rows` rows stay with its figures, the rest becomes a band without figures.
@@ -214,7 +234,7 @@ void SheetPlan::rejoin() {
 /// moved.
 void SheetPlan::part_figures(std::size_t index) {
     Band& band = bands_.list[index];
-    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_->rows(band)))
+    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, now_.texts->rows(band)))
         return divide(index, 0);
     KG_ASSERT(band.figures.size() > 1, "a page holds a figure, and two rows of text");
     Band rest = band;

@@ -15,29 +15,25 @@ namespace kinegraph::render {
 class SheetPlan {
 public:
     SheetPlan(const WantedFigures& wanted, MeasuredFigures& measured, Bands& bands, const SheetFormat& format)
-        : wanted_(wanted),
-          measured_(measured),
-          bands_(bands),
-          format_(format),
-          texts_(std::make_unique<BandTexts>(bands, bands.results(), format, format.text_size)) {}
+        : wanted_(wanted), measured_(measured), bands_(bands), format_(format), now_{texts_of(format.text_size)} {}
 
     /// Finds the plan with the fewest pages, and of these the one with the highest score. The text of a band that no
     /// page can hold is divided over pages; if that is not enough, its figures are shown smaller. Then the text takes
     /// the largest size that costs neither a page nor a scale.
     void make();
 
-    const std::vector<PlannedPage>& pages() const { return pages_; }
+    const std::vector<PlannedPage>& pages() const { return now_.pages; }
     BandLayout layout_of(const PlacedBand& placed) const {
-        return layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch);
+        return now_.layouts[placed.band].in(placed.width, placed.room.height(), placed.notch);
     }
     /// Of the figures shown, and of the force polygons.
     KeptScales scales() const;
-    const BandLayouts& layouts(std::size_t band) const { return layouts_[band]; }
-    BandTexts& texts() { return *texts_; }
+    const BandLayouts& layouts(std::size_t band) const { return now_.layouts[band]; }
+    BandTexts& texts() { return *now_.texts; }
     /// Calls look(placed, layout) for each band in order.
     template <class Look>
     void for_each_band(Look look) const {
-        for (const PlannedPage& page : pages_)
+        for (const PlannedPage& page : now_.pages)
             for (const PlannedRow& row : page)
                 for (const PlannedCell& cell : row)
                     for (const PlacedBand& placed : cell) look(placed, layout_of(placed));
@@ -48,10 +44,18 @@ public:
     bool has_wide_tables(const std::string& question, int divided);
 
 private:
+    struct Planned {
+        std::unique_ptr<BandTexts> texts{};
+        std::vector<BandLayouts> layouts{};
+        std::vector<PlannedPage> pages{};
+        double score = BandLayout::impossible;
+    };
     void find_pages();
     bool finds_pages();
-    void enlarge_text();
-    bool has_room_for_tables() const;
+    std::unique_ptr<BandTexts> texts_of(double size) const;
+    bool improves(std::unique_ptr<BandTexts> texts);
+    void enlarge_figures();
+    bool enlarge_text(double size);
     void plan_all();
     void give_each_a_page();
     double score_of(std::size_t index, std::size_t end_row);
@@ -65,15 +69,13 @@ private:
     MeasuredFigures& measured_;
     Bands& bands_;
     const SheetFormat& format_;
-    std::unique_ptr<BandTexts> texts_;
     bool may_enlarge_text_ = true;
+    std::set<std::string> large_;            // bands whose figures may be as large as a page
     std::optional<KeptScales> not_coarser_;  // the scales that figures have at least
     std::set<std::string> crowded_;          // bands whose figures may be hard to read
     std::set<std::string> wide_;             // bands whose tables are too wide for narrow columns
     std::optional<double> force_scale_;
-    std::vector<BandLayouts> layouts_;
-    std::vector<PlannedPage> pages_;
-    double score_ = BandLayout::impossible;  // score of the pages
+    Planned now_;
 };
 
 }  // namespace kinegraph::render

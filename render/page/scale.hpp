@@ -14,6 +14,8 @@ double decimal(double mantissa, int exponent);
 double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
 /// The next coarser scale of the series.
 inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
+/// The next finer one: no two neighbours of the series differ by more than a factor of 2.
+inline double finer_scale(double scale) { return choose_scale(0.5 * scale, 0, 1, 1, std::nullopt); }
 
 /// Marks an empty figure. Drawing functions that take a `coarsest` scale (units per mm) return an empty figure at
 /// any_scale if the drawing would have to be coarser or would exceed its room.
