@@ -149,14 +149,11 @@ bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot roo
     return false;
 }
 
-/// The price of the white beside the figures, below them and below the text beside them. It is quadratic, because one
-/// large area is what is seen. A fifth of the page costs a little less than a step of a scale that can be read anyway.
+/// The price of the white beside the figures, below them and below the text beside them.
 double BandLayouts::price_of_white(const Arrangement& layout, const Best& best, Spot figures, int shown) const {
-    constexpr double price_of_a_page = 8;
     const double page = format_.content.width() * format_.content.height();
     const auto price = [&](double width, double height) {
-        const double part = std::max(width, 0.0) * std::max(height, 0.0) / page;
-        return price_of_a_page * part * part;
+        return render::price_of_white(std::max(width, 0.0) * std::max(height, 0.0) / page);
     };
     double left = best.whole, high = figures.y, sum = 0;
     if (layout.divided > 0) {

@@ -2,6 +2,7 @@
 #include "render/layout/beside.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 #include "render/page/free_room.hpp"
@@ -27,25 +28,28 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
     const std::vector<Spot> spots = covered(figure.marks);
     const double spare_x = room.width() - figure.box.width(), spare_y = room.height() - figure.box.height();
     if (spare_x < 0 || spare_y < 0 || block.width > room.width() || block.height > room.height()) return false;
+    const double left = figure.box.height() - block.height;
     // Prefers positions of the figure near the middle and near its caption.
-    for (const double down : {0.0, 0.5, 1.0})
-        for (const double aside : {0.5, 0.75, 1.0})
-            for (const bool bottom : {false, true})
-                for (const bool right : {false, true}) {
-                    const double across = right ? 1 - aside : aside;
-                    const Spot corner{
-                        right ? room.max.x - block.width : room.min.x,
-                        bottom ? std::min(room.max.y, room.min.y + down * spare_y + figure.box.height()) - block.height
-                               : room.min.y};
-                    const Spot moved{room.min.x - figure.box.min.x + across * spare_x,
-                                     room.min.y - figure.box.min.y + down * spare_y};
-                    const Box box = rectangle(corner.x, corner.y, corner.x + block.width, corner.y + block.height);
-                    if (corner.y < room.min.y || !is_free(spots, moved, box, clear)) continue;
-                    figure.move(moved.x, moved.y);
-                    set(marks, block, corner);
-                    return true;
-                }
-    return false;
+    const auto sets = [&](std::initializer_list<double> lows) {
+        for (const double down : {0.0, 0.5, 1.0})
+            for (const double aside : {0.5, 0.75, 1.0})
+                for (const double low : lows)
+                    for (const bool right : {false, true}) {
+                        const double across = right ? 1 - aside : aside, top = room.min.y + down * spare_y;
+                        const Spot corner{right ? room.max.x - block.width : room.min.x,
+                                          low > 0 ? std::min(top + low * left, room.max.y - block.height) : room.min.y};
+                        const Spot moved{room.min.x - figure.box.min.x + across * spare_x, top - figure.box.min.y};
+                        const Box box = rectangle(corner.x, corner.y, corner.x + block.width, corner.y + block.height);
+                        if (corner.y < room.min.y || !is_free(spots, moved, box, clear)) continue;
+                        figure.move(moved.x, moved.y);
+                        set(marks, block, corner);
+                        return true;
+                    }
+        return false;
+    };
+    // A block half way down a tall figure leaves less white in one piece than one in its corner.
+    constexpr double tall = 60;  // mm, above the height of the block
+    return (left > tall && sets({0.5})) || sets({0, 1});
 }
 
 double width_beside(const Figure& figure, const Block& block) {

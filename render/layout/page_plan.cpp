@@ -17,6 +17,7 @@ constexpr int least_height = 5;  // of a band, in steps
 constexpr int gap_steps = 2;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
+constexpr double spaced = 12;  // mm, about what rows and figures are spaced by
 constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
 
 /// All ways to divide `of` columns among `bands` bands, each with at least one.
@@ -257,21 +258,33 @@ private:
         std::vector<Row>& best = rows_[(first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)];
         if (!best.empty()) return best;
         best.resize(heights_);
-        std::vector<const WorthByHeight*> cells;
+        struct Offer {
+            const WorthByHeight* score;
+            double width;
+            std::size_t least = 0;  // height with the same score, in steps
+        };
+        std::vector<Offer> cells;
+        const double page = format_.content.width() * format_.content.height();
         for (const Filling& filling : fillings_[count])
             for (const Split& split : splits_[filling.size()]) {
                 cells.clear();
                 std::size_t band = first;
                 for (std::size_t i = 0; i < filling.size(); ++i) {
-                    cells.push_back(&cell(band, filling[i], (at_block ? split.at_block : split.stands)[i]));
+                    cells.push_back({&cell(band, filling[i], (at_block ? split.at_block : split.stands)[i]),
+                                     format_.span(split.columns[i], split.of)});
                     // A cell without room even at the greatest height excludes this division.
-                    if (cells.back()->back() < possible) break;
+                    if (cells.back().score->back() < possible) break;
                     band += static_cast<std::size_t>(filling[i]);
                 }
                 if (cells.size() < filling.size()) continue;
                 for (std::size_t height = 0; height < heights_; ++height) {
                     double sum = 0;
-                    for (const WorthByHeight* score : cells) sum += (*score)[height];
+                    for (Offer& each : cells) {
+                        const double own = (*each.score)[height];
+                        if (own != (*each.score)[each.least]) each.least = height;
+                        const double white = static_cast<double>(height - each.least) * step - spaced;
+                        sum += own - price_of_white(std::max(white, 0.0) * each.width / page);
+                    }
                     if (sum > best[height].score) best[height] = {sum, &split, &filling};
                 }
             }
