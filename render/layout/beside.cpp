@@ -48,7 +48,7 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
         return false;
     };
     // A block half way down a tall figure leaves less white in one piece than one in its corner.
-    constexpr double tall = 60;  // mm, above the height of the block
+    constexpr double tall = 30;  // mm, above the height of the block
     return (left > tall && sets({0.5})) || sets({0, 1});
 }
 

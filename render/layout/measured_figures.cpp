@@ -130,10 +130,19 @@ std::vector<double> MeasuredFigures::force_scales() const {
     return scales;
 }
 
+std::optional<double> MeasuredFigures::finer_force_scale() const {
+    const Wanted* largest = largest_of_forces();
+    const std::vector<double> scales = force_scales();
+    if (scales.empty() || (kept_ && kept_->of_forces)) return std::nullopt;
+    const double finer = finer_scale(scales.front());
+    const bool fits = largest->extent_x / finer < page().x && largest->extent_y / finer < page().y;
+    return fits ? std::optional(finer) : std::nullopt;
+}
+
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
                                                                 Range range) const {
     if (wanted.empty) return {{1, {60, 30}, {}}};
-    if (wanted.fills) return as_kept(wanted, filling(wanted));
+    if (wanted.fills) return as_kept(wanted, filling(wanted, range));
     if (wanted.extent() < nothing) return {{1, page(), {}}};
     if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
     return as_kept(wanted, at_scales(wanted, range));
@@ -155,10 +164,11 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wan
 }
 
 /// Rooms of several sizes, in the shape of the figure.
-std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted) const {
-    constexpr double parts[] = {1, 0.7, 0.5, 0.35};
+std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted, Range range) const {
+    constexpr double parts[] = {larger_body, 1, 0.7, 0.5, 0.35};
     std::vector<Measure> all;
     for (const double part : parts) {
+        if (part > 1 && (range != Range::up_to_page || wanted.spare)) continue;
         const double size = part * wanted.enough;
         if (!all.empty() && size < std::max(wanted.least, hardly_readable)) break;
         all.push_back(filling_at(wanted, wanted.extent() / size));

@@ -17,6 +17,9 @@
 
 namespace kinegraph::render {
 
+/// Relative to the size at which a body in its room is large enough: the larger one, where there is room.
+constexpr double larger_body = 1.4;
+
 class MeasuredFigures {
 public:
     MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format,
@@ -31,6 +34,8 @@ public:
     /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
     /// polygons, or the file gives their scale.
     std::vector<double> force_scales() const;
+    /// A scale finer than all those, at which a page still holds the largest force polygon.
+    std::optional<double> finer_force_scale() const;
     const Figure& drawing(std::size_t figure, const FigureSize& size) const {
         return drawings_[figure][size.drawing].figure;
     }
@@ -55,7 +60,7 @@ private:
     const Wanted* largest_of_forces() const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;
-    std::vector<Measure> filling(const Wanted& wanted) const;
+    std::vector<Measure> filling(const Wanted& wanted, Range range) const;
     Measure filling_at(const Wanted& wanted, double scale) const;
     std::vector<Measure> as_kept(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;

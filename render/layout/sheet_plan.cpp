@@ -52,15 +52,20 @@ void SheetPlan::enlarge_figures() {
         for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
             const FigureSize& size = layout.sizes[f];
             const Wanted& wanted = wanted_.list[band.figures[f]];
-            if (!(size.x > 0) || wanted.fills || wanted.to_force_scale || wanted.empty || wanted.asked) continue;
+            if (!(size.x > 0) || wanted.to_force_scale || wanted.empty || wanted.asked) continue;
             // Its strokes grow, its names do not.
-            const double finer = finer_scale(size.scale), more = 1 / finer - 1 / size.scale;
-            if (size.x + more * wanted.extent_x < placed.room.width() &&
-                size.y + more * wanted.extent_y < placed.room.height())
+            const double finer = wanted.fills ? size.scale / larger_body : finer_scale(size.scale);
+            const double more = 1 / finer - 1 / size.scale;
+            if (size.x + more * wanted.extent_x < layout.rooms[f].x &&
+                size.y + more * wanted.extent_y < layout.rooms[f].y)
                 large_.insert(band.question);
         }
     });
     if (!large_.empty() && !improves(texts_of(format_.text_size))) large_.clear();
+    const std::optional<double> finer = measured_.finer_force_scale(), before = force_scale_;
+    if (!finer || before != measured_.force_scales().front()) return;
+    force_scale_ = finer;
+    if (!improves(texts_of(format_.text_size))) force_scale_ = before;
 }
 
 bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
