@@ -49,6 +49,10 @@ void SheetPlan::enlarge_figures() {
     large_.clear();
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
         const Band& band = bands_.list[placed.band];
+        const Box& room = placed.room;
+        constexpr double half = 0.5;
+        const bool is_white = now_.layouts[placed.band].taken_in(placed.width, room.height(), placed.notch) <
+                              half * room.width() * room.height();
         for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
             const FigureSize& size = layout.sizes[f];
             const Wanted& wanted = wanted_.list[band.figures[f]];
@@ -56,8 +60,8 @@ void SheetPlan::enlarge_figures() {
             // Its strokes grow, its names do not.
             const double finer = wanted.fills ? size.scale / larger_body : finer_scale(size.scale);
             const double more = 1 / finer - 1 / size.scale;
-            if (size.x + more * wanted.extent_x < layout.rooms[f].x &&
-                size.y + more * wanted.extent_y < layout.rooms[f].y)
+            if (is_white && size.x + more * wanted.extent_x < room.width() &&
+                size.y + more * wanted.extent_y < room.height())
                 large_.insert(band.question);
         }
     });
