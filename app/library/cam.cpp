@@ -9,11 +9,11 @@
 
 #include "app/library/cam_state.hpp"
 #include "app/library/driver_choice.hpp"
-#include "app/library/row_text.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"
 #include "lang/keys/cams.hpp"
 #include "lang/keys/common.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph {
 
@@ -204,7 +204,7 @@ std::string CamCycle::csv() const {
                                    cycle.acceleration(state)};
         if (!cycle.is_flat()) values.insert(values.end(), {pitch.x, pitch.y});
         values.insert(values.end(), {profile.x, profile.y, state.pressure_angle, state.curvature});
-        for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + app::decimal_of(values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + render::shortest(values[i]);
         text += '\n';
     }
     return text;

@@ -10,7 +10,6 @@
 
 #include "app/library/driver_choice.hpp"
 #include "app/library/limits.hpp"
-#include "app/library/row_text.hpp"
 #include "app/library/sweep_centrodes.hpp"
 #include "app/library/sweep_course.hpp"
 #include "app/library/sweep_drawing.hpp"
@@ -19,7 +18,6 @@
 #include "constructions/positions/drawn_motion.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/drawing/pose.hpp"
-#include "engine/file/json_text.hpp"
 #include "engine/motion/repositioned.hpp"
 #include "engine/results/operands.hpp"
 #include "lang/keys/sheet.hpp"
@@ -100,27 +98,28 @@ public:
         return {};
     }
 
-    std::string json_before() const override {
+    void write_before(JsonWriter& json) const override {
         const Travel& travel = table.travel;
-        const auto limit = [](bool is_one, double at) { return is_one ? app::decimal_of(at) : std::string("null"); };
-        std::string along;
-        for (const Course::Along& each : course_.along)
-            along += (along.empty() ? "\"along\": {" : ", ") + json_text(name_of(each.driver)) + ": " +
-                     app::decimal_of(each.per.to_double());
-        if (!along.empty()) along += "},\n  ";
-        return "\"driver\": " + json_text(table.driver) + ",\n  " + along +
-               "\"from\": " + app::decimal_of(travel.from) + ",\n  \"to\": " + app::decimal_of(travel.to) +
-               ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
-               limit(travel.ends_at_limit, travel.to) +
-               "],\n  \"change points\": " + app::json_list(travel.change_points);
+        const auto limit = [](bool is_one, double at) { return is_one ? std::optional(at) : std::nullopt; };
+        json.member("driver", table.driver);
+        if (!course_.along.empty()) {
+            json.key("along").open('{');
+            for (const Course::Along& each : course_.along) json.member(name_of(each.driver), each.per);
+            json.close();
+        }
+        json.member("from", travel.from).member("to", travel.to).key("limits").open('[');
+        json.value(limit(travel.starts_at_limit, travel.from)).value(limit(travel.ends_at_limit, travel.to)).close();
+        json.member("change points", travel.change_points);
     }
-    std::string json_after() const override {
-        std::string flanks;
-        for (const FlankChange& each : cycle_->flank_changes())
-            flanks += (flanks.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
-                      json_text(mechanism.joint(each.joint).name) + ", \"at\": " + app::decimal_of(each.at) + "}";
-        return poles_and_separations_json() + (flanks.empty() ? "" : ",\n  \"flank changes\": [" + flanks + "\n  ]") +
-               (centrodes_.empty() ? "" : ",\n  \"centrodes\": " + app::json_of(centrodes_, mechanism));
+    void write_after(JsonWriter& json) const override {
+        write_poles_and_separations(json);
+        if (const auto& flanks = cycle_->flank_changes(); !flanks.empty()) {
+            json.key("flank changes").open('[', JsonWriter::Entries::on_lines);
+            for (const FlankChange& each : flanks)
+                json.open('{').member("joint", mechanism.joint(each.joint).name).member("at", each.at).close();
+            json.close();
+        }
+        if (!centrodes_.empty()) app::write_centrodes(centrodes_, mechanism, json);
     }
 
     std::vector<render::Way> finish_table() override {

@@ -12,7 +12,6 @@
 #include "constructions/verdicts/verdicts.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/equations/equations.hpp"
-#include "engine/file/json_text.hpp"
 #include "engine/motion/mobility.hpp"
 #include "engine/reading/forms.hpp"
 #include "engine/reading/schema.hpp"
@@ -168,16 +167,23 @@ Expected<std::string> MechanismFile::equations(TextForm form, Language language)
     if (const auto beyond = app::beyond_solving(mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
     const auto solution = kinegraph::solve(std::move(mechanism));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
+    JsonWriter json;
+    json.open('{', JsonWriter::Entries::on_lines);
     if (of_problem != nullptr) {
         if (form != TextForm::json) return printed(of_problem(*solution, language), form);
         const ProblemKind& kind = *solution->mechanism.problem->kind;
-        return "{\n  " + json_text(kind.key) + ": " + kind.results(*solution, false) + "\n}\n";
+        json.key(kind.key);
+        kind.results(*solution, false, json);
+        return json.close().take() + '\n';
     }
     if (!solution->equations)
         return refused(Diagnostic::Kind::bad_input, {lang::library::a_problem_in_place_of_joints});
     if (!solution->equations->why_not.empty())
         return refused(Diagnostic::Kind::bad_input, Words(lang::common::no_equations, solution->equations->why_not));
-    if (form == TextForm::json) return "{\n  \"equations\": " + equations_json(*solution->equations) + "\n}\n";
+    if (form == TextForm::json) {
+        write_equations(*solution->equations, json.key("equations"));
+        return json.close().take() + '\n';
+    }
     return printed(render::equation_items(*solution, language), form);
 }
 

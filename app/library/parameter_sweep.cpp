@@ -10,7 +10,6 @@
 
 #include "app/library/driver_choice.hpp"
 #include "app/library/limits.hpp"
-#include "app/library/row_text.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
 #include "constructions/positions/expression_columns.hpp"
@@ -18,7 +17,6 @@
 #include "constructions/positions/named_results.hpp"
 #include "constructions/positions/pushing_contacts.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "engine/number/functions.hpp"
@@ -167,11 +165,10 @@ public:
         return {};
     }
 
-    std::string json_before() const override {
-        return "\"parameter\": " + json_text(table.driver) + ",\n  \"from\": " + app::decimal_of(table.travel.from) +
-               ",\n  \"to\": " + app::decimal_of(table.travel.to);
+    void write_before(JsonWriter& json) const override {
+        json.member("parameter", table.driver).member("from", table.travel.from).member("to", table.travel.to);
     }
-    std::string json_after() const override { return poles_and_separations_json(); }
+    void write_after(JsonWriter& json) const override { write_poles_and_separations(json); }
     std::vector<render::FilmFrame> film_frames(int /*count*/) const override { return {}; }
     std::vector<render::Way> finish_table() override {
         std::vector<std::size_t> plotted;

@@ -1,9 +1,8 @@
 #include "app/library/row_text.hpp"
 
-#include <array>
-#include <charconv>
+#include <utility>
 
-#include "engine/file/json_text.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -18,51 +17,41 @@ std::string csv_name(const std::string& name) {
 
 }  // namespace
 
-std::string decimal_of(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value);
-    return {digits.data(), end.ptr};
-}
-
-std::string json_list(const std::vector<double>& values) {
-    std::string text = "[";
-    for (const double each : values) text += (text.size() > 1 ? ", " : "") + decimal_of(each);
-    return text + "]";
-}
-
-void RowText::head(const std::vector<Column>& columns, const std::string& before) {
-    if (is_json()) text_ = "{\n  " + before + ",\n  \"columns\": [";
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (i > 0) text_ += is_json() ? ", " : ",";
-        text_ += is_json() ? json_text(columns[i].name) : csv_name(columns[i].name);
+void RowText::head(const std::vector<Column>& columns, const std::function<void(JsonWriter&)>& before) {
+    if (is_json()) {
+        before(json_.open('{', JsonWriter::Entries::on_lines));
+        json_.key("columns").open('[');
+        for (const Column& each : columns) json_.value(each.name);
+        json_.close().key("rows").open('[', JsonWriter::Entries::on_lines);
+        return;
     }
-    text_ += is_json() ? "],\n  \"rows\": [" : "\n";
+    for (std::size_t i = 0; i < columns.size(); ++i) csv_ += (i > 0 ? "," : "") + csv_name(columns[i].name);
+    csv_ += '\n';
 }
 
 bool RowText::row(std::span<const double> values, const std::vector<bool>& empty) {
-    if (is_json()) text_ += is_first_ ? "\n    [" : ",\n    [";
-    is_first_ = false;
+    if (is_json()) json_.open('[');
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) text_ += is_json() ? ", " : ",";
-        if (empty[i])
-            text_ += is_json() ? "null" : "";
+        if (is_json())
+            json_.value(empty[i] ? std::nullopt : std::optional(values[i]));
         else
-            text_ += decimal_of(values[i]);
+            csv_ += (i > 0 ? "," : "") + (empty[i] ? "" : render::shortest(values[i]));
     }
-    text_ += is_json() ? "]" : "\n";
+    if (is_json())
+        json_.close();
+    else
+        csv_ += '\n';
     constexpr std::size_t at_a_time = 1 << 16;
-    return text_.size() <= at_a_time || pass_on();
+    return json_.size() + csv_.size() <= at_a_time || pass_on();
 }
 
-bool RowText::tail(const std::string& after) {
-    if (is_json()) text_ += std::string(is_first_ ? "]" : "\n  ]") + ",\n  " + after + "\n}\n";
-    return pass_on();
+bool RowText::tail(const std::function<void(JsonWriter&)>& after) {
+    if (!is_json()) return pass_on();
+    after(json_.close());
+    json_.close();
+    return to_.write(json_.take() + '\n');
 }
 
-bool RowText::pass_on() {
-    const bool goes_on = to_.write(text_);
-    text_.clear();
-    return goes_on;
-}
+bool RowText::pass_on() { return to_.write(is_json() ? json_.take() : std::exchange(csv_, {})); }
 
 }  // namespace kinegraph::app

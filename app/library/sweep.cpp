@@ -8,7 +8,6 @@
 #include "app/library/row_text.hpp"
 #include "app/library/sweep_state.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/file/json_text.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/problem.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -18,12 +17,15 @@
 namespace kinegraph {
 namespace {
 
-std::string difference_json(const Sweep::State& sweep) {
+void write_difference(const Sweep::State& sweep, JsonWriter& json) {
     const LargestDifference::Found off = sweep.difference();
-    if (off.column < 0) return "\"largest difference\": null";
-    return "\"largest difference\": {\"column\": " + json_text(sweep.table.columns[at_index(off.column)].name) +
-           (sweep.table.parameter ? ", \"value\": " : ", \"turn\": ") + app::decimal_of(off.coordinate) +
-           ", \"share\": " + app::decimal_of(off.share) + "}";
+    json.key("largest difference");
+    if (off.column < 0) {
+        json.value(std::nullopt);
+        return;
+    }
+    json.open('{').member("column", sweep.table.columns[at_index(off.column)].name);
+    json.member(sweep.table.parameter ? "value" : "turn", off.coordinate).member("share", off.share).close();
 }
 
 /// Gives on the shown cells of rows.
@@ -63,18 +65,19 @@ tl::expected<void, Words> Sweep::State::choose_shown(const std::string& names, s
     return {};
 }
 
-std::string Sweep::State::poles_and_separations_json() const {
-    std::string poles, separations;
+void Sweep::State::write_poles_and_separations(JsonWriter& json) const {
+    json.key("poles").open('[', JsonWriter::Entries::on_lines);
     for (std::size_t i = 0; i < table.followed.columns.size(); ++i)
         for (const double at : table.followed.columns[i].poles)
-            poles += (poles.empty() ? "\n    {\"column\": " : ",\n    {\"column\": ") +
-                     json_text(table.columns[i].name) + ", \"at\": " + app::decimal_of(at) + "}";
+            json.open('{').member("column", table.columns[i].name).member("at", at).close();
+    json.close().key("separations").open('[', JsonWriter::Entries::on_lines);
     for (const Separation& each : table.followed.separations)
-        separations += (separations.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
-                       json_text(mechanism.joint(each.joint).name) + ", \"from\": " + app::decimal_of(each.from) +
-                       ", \"to\": " + app::decimal_of(each.to) + "}";
-    const auto list = [](const std::string& items) { return "[" + items + (items.empty() ? "]" : "\n  ]"); };
-    return ",\n  \"poles\": " + list(poles) + ",\n  \"separations\": " + list(separations);
+        json.open('{')
+            .member("joint", mechanism.joint(each.joint).name)
+            .member("from", each.from)
+            .member("to", each.to)
+            .close();
+    json.close();
 }
 
 Sweep::Sweep(State* state) : state_(state) {}
@@ -140,7 +143,8 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
     // Not before the first row: a parameter's sweep finds its columns by then.
     const auto begin = [&] {
         for (const RowsText& each : texts)
-            written.emplace_back(each).head(shown_columns(*state_), state_->json_before());
+            written.emplace_back(each).head(shown_columns(*state_),
+                                            [&](JsonWriter& json) { state_->write_before(json); });
     };
     bool goes_on = true;
     const auto see = [&](std::span<const double> row, const std::vector<bool>& empty) {
@@ -151,7 +155,11 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
     if (auto computed = state_->each_row(of_shown_columns(*state_, see), progress); !computed || !goes_on)
         return computed;
     if (written.empty()) begin();
-    for (app::RowText& text : written) text.tail(difference_json(*state_) + state_->json_after());
+    for (app::RowText& text : written)
+        text.tail([&](JsonWriter& json) {
+            write_difference(*state_, json);
+            state_->write_after(json);
+        });
     return {};
 }
 

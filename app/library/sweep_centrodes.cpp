@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/library/row_text.hpp"
-#include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "lang/keys/sweeps.hpp"
@@ -13,11 +11,6 @@
 namespace kinegraph::app {
 namespace {
 
-std::string list_of_places(const std::vector<Centrodes::Spot>& places) {
-    std::string text = "[";
-    for (const auto& each : places) text += (text.size() > 1 ? ", " : "") + json_list({each.x, each.y});
-    return text + "]";
-}
 std::string trimmed(std::string text) {
     while (text.ends_with(' ')) text.pop_back();
     while (text.starts_with(' ')) text.erase(0, 1);
@@ -52,23 +45,23 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
     return pairs;
 }
 
-std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism) {
-    std::string text = "[";
+void write_centrodes(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism, JsonWriter& json) {
+    constexpr int branch_line = 6, curve_line = 7;
+    json.key("centrodes").open('[', JsonWriter::Entries::on_lines);
     for (const Centrodes& each : centrodes) {
-        text += std::string(text.size() > 1 ? "," : "") + "\n    {\"bodies\": [" +
-                json_text(mechanism.body(each.first).name) + ", " + json_text(mechanism.body(each.second).name) +
-                "], \"to infinity\": " + json_list(each.infinities) + ", \"branches\": [";
-        for (std::size_t i = 0; i < each.branches.size(); ++i) {
-            const Centrodes::Branch& branch = each.branches[i];
-            text += std::string(i > 0 ? "," : "") + "\n      {\"turn\": " + json_list(branch.coordinates) +
-                    ",\n       \"fixed\": " + list_of_places(branch.fixed) +
-                    ",\n       \"moving\": " + list_of_places(branch.moving) +
-                    ",\n       \"from infinity\": " + (branch.comes_from_infinity ? "true" : "false") +
-                    ", \"to infinity\": " + (branch.goes_to_infinity ? "true" : "false") + "}";
+        json.open('{').key("bodies").open('[');
+        json.value(mechanism.body(each.first).name).value(mechanism.body(each.second).name).close();
+        json.member("to infinity", each.infinities).key("branches").open('[');
+        for (const Centrodes::Branch& branch : each.branches) {
+            json.on_line(branch_line).open('{').member("turn", branch.coordinates);
+            json.on_line(curve_line).member("fixed", branch.fixed);
+            json.on_line(curve_line).member("moving", branch.moving);
+            json.on_line(curve_line).member("from infinity", branch.comes_from_infinity);
+            json.member("to infinity", branch.goes_to_infinity).close();
         }
-        text += "]}";
+        json.close().close();
     }
-    return text + "\n  ]";
+    json.close();
 }
 
 void add_ways(const Centrodes& centrodes, const Mechanism& mechanism, std::vector<render::Way>& ways) {

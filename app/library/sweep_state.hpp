@@ -11,6 +11,7 @@
 #include "app/library/state.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "constructions/verdicts/largest_difference.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/sentences/column.hpp"
 #include "kinegraph/motion.hpp"
 #include "render/figures/plot_figure.hpp"
@@ -30,9 +31,9 @@ struct Sweep::State {
 
     /// Computes the rows anew, or gives again those it has; keeps in `table` those that a plot can show.
     virtual Expected<void> each_row(const See& see, const Progress& progress) = 0;
-    /// The members of the JSON before its columns, and after the largest difference.
-    virtual std::string json_before() const = 0;
-    virtual std::string json_after() const = 0;
+    /// Writes the members of the JSON before its columns, and after the largest difference.
+    virtual void write_before(JsonWriter& json) const = 0;
+    virtual void write_after(JsonWriter& json) const = 0;
     /// Completes the table for its drawing. Returns the paths.
     virtual std::vector<render::Way> finish_table() = 0;
     /// At most `count` positions at even steps, each solved for its motion; none over a parameter.
@@ -49,7 +50,7 @@ struct Sweep::State {
                                            const std::string& dashes);
 
     /// The members "poles" and "separations" of the JSON.
-    std::string poles_and_separations_json() const;
+    void write_poles_and_separations(JsonWriter& json) const;
 
     Mechanism mechanism;
     CycleTable table;

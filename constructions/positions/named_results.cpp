@@ -9,6 +9,7 @@
 #include "engine/mechanism/problem.hpp"
 #include "engine/number/functions.hpp"
 #include "engine/results/operands.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
@@ -31,24 +32,17 @@ bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
 }
 
 /// Name of a point or a sliding joint in a solution.
-std::string subject_of(const Quantity& q, const Solution& solution) {
+std::string name_in_column(const Quantity& q, const Solution& solution) {
     const Mechanism& m = solution.mechanism;
-    const auto body = [&](BodyIndex index) { return m.body(index).name; };
     const ResultKind::Subject subject = result_kind(q).subject;
     if (subject == ResultKind::Subject::point) {
         const bool several =
             std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& motion) {
                 return motion.point == q.point && has_several_carriers(solution, motion);
             });
-        return m.point(q.point).name + (several ? " on " + body(q.body) : "");
+        return m.point(q.point).name + (several ? " on " + m.body(q.body).name : "");
     }
-    if (subject != ResultKind::Subject::joint) return {};
-    const Joint& joint = m.joint(q.joint);
-    const bool shared = joint.pair().touches() &&
-                        std::any_of(solution.sliding.begin(), solution.sliding.end(), [&](const Sliding& other) {
-                            return other.joint != q.joint && m.joint(other.joint).name == joint.name;
-                        });
-    return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
+    return subject == ResultKind::Subject::joint ? subject_of(q, solution) : std::string();
 }
 
 double angle_of(const Body& body, const Pose& pose) {
@@ -112,7 +106,7 @@ private:
     }
     void add_modulus(const FoundValue& each) {
         if (result_kind(each.quantity).shape != ResultKind::Shape::vector) return;
-        Column column = modulus_column(each.quantity, solution_.mechanism, subject_of(each.quantity, solution_));
+        Column column = modulus_column(each.quantity, solution_.mechanism, name_in_column(each.quantity, solution_));
         const auto is_taken = [&](const NamedResult& other) { return other.column.name == column.name; };
         if (std::any_of(results_.begin(), results_.end(), is_taken)) return;
         // std::hypot is not used: its last digit depends on the library.
@@ -211,7 +205,7 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
 std::vector<Column> columns_found(const Solution& solution, bool with_reactions) {
     std::vector<Column> columns;
     for (const FoundValue& each : found_values(solution, with_reactions))
-        add_columns(each.quantity, solution.mechanism, subject_of(each.quantity, solution), columns);
+        add_columns(each.quantity, solution.mechanism, name_in_column(each.quantity, solution), columns);
     return columns;
 }
 
@@ -231,10 +225,8 @@ std::vector<NamedResult> parameters_of(const Mechanism& mechanism) {
 
 std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution) {
     const Pose& pose = solution.pose;
-    // A value computed from a rounded drawing is a fraction with as many bits as the rounding; a short one is exact.
-    const auto certain = [&](const Exact& value) -> std::optional<Exact> {
-        if (pose.exact || value.bits() < static_cast<std::size_t>(std::max(pose.bits, 1))) return value;
-        return std::nullopt;
+    const auto certain = [&](const Exact& value) {
+        return pose.is_certain(value) ? std::optional(value) : std::nullopt;
     };
     const Quantity& q = result.column.quantity;
     switch (result.column.kind) {

@@ -156,4 +156,15 @@ Vector unit_along(const Vector& direction, int bits) {
     return factor.value * direction;
 }
 
+Vector without_sense(Vector direction, bool is_exact) {
+    const Exact x = abs(direction.x), y = abs(direction.y);
+    const Exact& largest = x > y ? x : y;
+    KG_ASSERT(!largest.is_zero(), "a direction is not zero");
+    direction = {direction.x / largest, direction.y / largest};
+    const Exact noise = Exact::power_of_two(-80);
+    if (!is_exact && abs(direction.x) < noise) direction.x = 0;
+    if (!is_exact && abs(direction.y) < noise) direction.y = 0;
+    return direction.x.sign() < 0 || (direction.x.is_zero() && direction.y.sign() < 0) ? -direction : direction;
+}
+
 }  // namespace kinegraph

@@ -48,6 +48,10 @@ struct Pose {
         shifted;  ///< empty where no datum is rounded (engine/mechanism/rounding.hpp)
 
     bool is_rounded() const { return shifted != nullptr; }
+    /// Whether a value does not depend on a leftover: such a one is a fraction as long as the compass's rounding.
+    bool is_certain(const Exact& value) const {
+        return exact || value.bits() < static_cast<std::size_t>(bits > 0 ? bits : 1);
+    }
     /// The precision as a share of the drawing's size.
     double rounding() const { return precision.to_double() / size.to_double(); }
     const Vector& at(PointIndex point) const { return points[at_index(point)]; }
@@ -78,5 +82,8 @@ Vector direction_of(const Bearing& bearing, const Pose& pose);
 Vector direction_of(const Angle& angle, int bits);
 /// direction / |direction|, within 2^-bits where the length is irrational.
 Vector unit_along(const Vector& direction, int bits);
+/// A direction that has no sense: dx > 0, or (0, 1); its larger component is 1 or −1. `is_exact`: the pose is; else a
+/// vertical direction is accurate to about 2^-100, and its sense must not depend on that.
+Vector without_sense(Vector direction, bool is_exact);
 
 }  // namespace kinegraph

@@ -1,4 +1,5 @@
 #include "engine/mechanism/cam.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/number/functions.hpp"
 #include "lang/keys/cams.hpp"
 #include "lang/keys/positions.hpp"
@@ -154,30 +155,6 @@ std::string precision_of(const Cam& cam) {
     const double base = (cam.base_circle / cam.units.length.si).to_double();
     return "1e" + std::to_string(static_cast<int>(std::floor(nearest::log10(base))) - digits);
 }
-std::string written(const Spot& place) { return "[" + written(place.x) + ", " + written(place.y) + "]"; }
-
-std::string in_quotes(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-/// {"en": …, "it": …}: a language that says what English says is left out.
-std::string in_languages(const Words& words) {
-    std::string members;
-    for (const Language language : languages)
-        if (language == Language::en || words.in(language) != words.in(Language::en))
-            members +=
-                (members.empty() ? "" : ", ") + in_quotes(code_of(language)) + ": " + in_quotes(words.in(language));
-    return "{" + members + "}";
-}
-std::string title_of(const Cam& cam, double turn) {
-    const std::string at = " (" + written(turn * 180 / std::numbers::pi) + "°)";
-    return in_languages((cam.title.empty() ? Words(lang::cams::disc_cam) : cam.title) + at);
-}
-
 /// Writes the file; lengths in the cam's own unit.
 class FileOfCam {
 public:
@@ -189,55 +166,77 @@ public:
     }
 
     std::string text() && {
+        constexpr auto on_lines = JsonWriter::Entries::on_lines;
+        json_.open('{', on_lines).member("kinegraph", 1);
+        const std::string at = " (" + written(turn_ * 180 / std::numbers::pi) + "°)";
+        in_languages("title", (cam_.title.empty() ? Words(lang::cams::disc_cam) : cam_.title) + at);
+        json_.member("position of cam", cam_.source);
+        write_units();
+        json_.key("precision").json(precision_of(cam_)).member("frame", 1).key("points").open('{', on_lines);
         point("O", {0, 0});
         write_follower_points();
-        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) +
-                           ",\n  \"position of cam\": " + in_quotes(cam_.source) + ",\n  \"units\": " + units() +
-                           ",\n  \"precision\": " + precision_of(cam_) + ",\n  \"frame\": 1,\n  \"points\": {" +
-                           points_ + "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() +
-                           ",\n    \"3\": " + follower_body() +
-                           "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
-                           ",\n    " + guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " +
-                           written((cam_.omega / cam_.units.angular_velocity.si).to_double()) +
-                           "}],\n  \"find\": [\"instant centres\", \"velocity\", \"acceleration\"]\n}\n";
-        return file;
+        json_.close().key("bodies").open('{', on_lines);
+        write_cam_body();
+        write_follower_body();
+        json_.close().key("joints").open('[', on_lines);
+        json_.open('{').member("revolute", "O").member("bodies", std::array{1, 2}).close();
+        write_contact();
+        json_.open('{').member(translates() ? "prismatic" : "revolute", translates() ? "H" : "Q");
+        json_.member("bodies", translates() ? std::array{3, 1} : std::array{1, 3});
+        if (translates()) json_.member("along", 90);
+        json_.close().close().key("drivers").open('[').open('{').member("body", 2);
+        number("omega", (cam_.omega / cam_.units.angular_velocity.si).to_double());
+        json_.close().close().member("find", std::array{"instant centres", "velocity", "acceleration"});
+        return json_.close().take() + '\n';
     }
 
 private:
+    void number(const char* key, double value) { json_.key(key).json(written(value)); }
+    void place(const char* key, const Spot& place) {
+        json_.key(key).open('[').json(written(place.x)).json(written(place.y)).close();
+    }
+    /// {"en": …, "it": …}: a language that says what English says is left out.
+    void in_languages(const char* key, const Words& words) {
+        json_.key(key).open('{');
+        for (const Language language : languages)
+            if (language == Language::en || words.in(language) != words.in(Language::en))
+                json_.member(code_of(language), words.in(language));
+        json_.close();
+    }
+    void circle(const char* centre, double radius) {
+        json_.key("circle").open('{').member("centre", centre);
+        number("radius", radius / unit_);
+        json_.close();
+    }
     /// The cam's own units; its angles are written in degrees.
-    std::string units() const {
+    void write_units() {
         const Unit &length = cam_.units.length, &rate = cam_.units.angular_velocity;
-        const std::string of_rate = rate.si == 1 ? "" : R"(, "angular velocity": ")" + rate.symbol + '"';
-        return R"({"length": ")" + length.symbol + '"' + of_rate + "}";
+        json_.key("units").open('{').member("length", length.symbol);
+        if (rate.si != 1) json_.member("angular velocity", rate.symbol);
+        json_.close();
     }
     bool translates() const { return cam_.follower.moves == Follower::Moves::translating; }
     bool is_flat() const { return cam_.follower.face == Follower::Face::flat; }
+    bool is_roller() const { return cam_.follower.face == Follower::Face::roller; }
     const char* centre() const { return is_round_about_origin_ ? "O" : "K"; }
-    Spot in_unit(const Spot& place) const { return (1 / unit_) * place; }
-    void point(const std::string& name, const Spot& place) { placed(name, written(in_unit(place))); }
-    void placed(const std::string& name, const std::string& placement) {
-        points_ += (points_.empty() ? "\n    \"" : ",\n    \"") + name + "\": " + placement;
-    }
+    void point(const char* name, const Spot& at) { place(name, (1 / unit_) * at); }
 
     /// P lies exactly on the line of the centres of curvature: along the roller's path, or across the face.
     void write_follower_points() {
         const Spot centre_of_curvature = state_.contact - (1 / state_.curvature) * state_.outward;
         const bool has_centre = !is_straight_ && !is_round_about_origin_;
         if (has_centre) point("K", centre_of_curvature);
-        if (cam_.follower.face == Follower::Face::roller) {
-            point("C", state_.trace);
-            if (is_straight_)
-                point("P", state_.contact);
-            else
-                placed("P", "{\"from\": \"C\", \"to\": \"" + std::string(centre()) + "\", \"distance\": " +
-                                written((state_.curvature > 0 ? 1 : -1) * cam_.follower.radius.to_double() / unit_) +
-                                "}");
+        if (is_roller()) point("C", state_.trace);
+        if (is_roller() && !is_straight_) {
+            json_.key("P").open('{').member("from", "C").member("to", centre());
+            number("distance", (state_.curvature > 0 ? 1 : -1) * cam_.follower.radius.to_double() / unit_);
+            json_.close();
         } else {
             point("P", state_.contact);
         }
         if (translates()) {
             const double rise = 1.2 * cam_.base_circle.to_double();
-            point("H", {cam_.follower.face == Follower::Face::flat ? 0 : state_.trace.x, state_.trace.y + rise});
+            point("H", {is_flat() ? 0 : state_.trace.x, state_.trace.y + rise});
             if (is_flat()) point("F", {0, state_.contact.y});
         } else {
             const Spot pivot{cam_.follower.pivot.x.to_double(), cam_.follower.pivot.y.to_double()};
@@ -248,46 +247,48 @@ private:
             if (is_flat()) point("F", state_.contact + (0.4 * way * cam_.base_circle.to_double()) * along);
         }
     }
-    std::string cam_body() const {
-        if (is_round_about_origin_)
-            return "{\"points\": [\"O\"], \"circle\": {\"centre\": \"O\", \"radius\": " +
-                   written(1 / state_.curvature / unit_) + "}, \"label\": " + in_languages(lang::cams::cam) + "}";
+    void write_cam_body() {
         const bool is_disc =
             !is_straight_ && state_.curvature > 0 && state_.curvature * cam_.base_circle.to_double() > 0.3;
-        std::string body = is_straight_ ? "{\"points\": [\"O\"]" : "{\"points\": [\"O\", \"K\"]";
-        if (is_disc)
-            body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
-        return body + ", \"label\": " + in_languages(lang::cams::cam) + "}";
+        json_.key("2").open('{').key("points").open('[').value("O");
+        if (!is_straight_ && !is_round_about_origin_) json_.value("K");
+        json_.close();
+        if (is_disc || is_round_about_origin_) circle(centre(), 1 / state_.curvature);
+        in_languages("label", lang::cams::cam);
+        json_.close();
     }
-    std::string follower_body() const {
-        const std::string label = ", \"label\": " + in_languages(lang::cams::follower) + "}";
-        const std::string guide = translates() ? "H" : "Q";
-        if (cam_.follower.face == Follower::Face::roller)
-            return "{\"points\": [\"C\", \"" + guide + "\"], \"circle\": {\"centre\": \"C\", \"radius\": " +
-                   written(cam_.follower.radius.to_double() / unit_) + "}" + label;
-        if (is_flat()) return "{\"points\": [\"F\", \"" + guide + "\"]" + label;
-        return "{\"points\": [\"P\", \"" + guide + "\"]" + label;
+    void write_follower_body() {
+        json_.key("3").open('{').key("points").open('[').value(is_roller() ? "C" : is_flat() ? "F" : "P");
+        json_.value(translates() ? "H" : "Q").close();
+        if (is_roller()) circle("C", cam_.follower.radius.to_double());
+        in_languages("label", lang::cams::follower);
+        json_.close();
     }
-    std::string contact() const {
+    void write_contact() {
         const Spot along = turned_back(state_.outward);
-        const std::string line = "{\"line\": " + written(along) + "}";
-        const std::string of_cam = is_straight_ ? line : "{\"circle\": \"" + std::string(centre()) + "\"}";
-        const std::string of_follower = is_flat()                                          ? line
-                                        : cam_.follower.face == Follower::Face::knife_edge ? "{\"tip\": true}"
-                                                                                           : "{\"circle\": \"C\"}";
-        return "{\"contact\": \"P\", \"bodies\": [3, 2], \"profiles\": {\"2\": " + of_cam + ", \"3\": " + of_follower +
-               "}, \"pushes\": " + written(state_.outward) + "}";
-    }
-    std::string guide() const {
-        return translates() ? "{\"prismatic\": \"H\", \"bodies\": [3, 1], \"along\": 90}"
-                            : "{\"revolute\": \"Q\", \"bodies\": [1, 3]}";
+        json_.open('{').member("contact", "P").member("bodies", std::array{3, 2}).key("profiles").open('{');
+        json_.key("2").open('{');
+        if (is_straight_)
+            place("line", along);
+        else
+            json_.member("circle", centre());
+        json_.close().key("3").open('{');
+        if (is_flat())
+            place("line", along);
+        else if (is_roller())
+            json_.member("circle", "C");
+        else
+            json_.member("tip", true);
+        json_.close().close();
+        place("pushes", state_.outward);
+        json_.close();
     }
 
     const Cam& cam_;
     CamState state_;
     double unit_, turn_;
     bool is_straight_ = false, is_round_about_origin_ = false;
-    std::string points_;
+    JsonWriter json_;
 };
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "engine/reading/schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "engine/file/json_source.hpp"
-#include "engine/file/json_text.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/file/scale_text.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/reading/file_text.hpp"
@@ -17,28 +18,13 @@ namespace {
 using Shape = FormValue::Shape;
 using Need = FormRow::Need;
 
-/// Members of an object or elements of an array, one after the other.
-class JsonParts {
-public:
-    void add(std::string_view part) {
-        if (!part.empty()) text_ += (text_.empty() ? "" : ", ") + std::string(part);
-    }
-    void add(std::string_view key, std::string_view value) { add(json_text(key) + ": " + std::string(value)); }
-    void add_text(std::string_view key, std::string_view text) {
-        if (!text.empty()) add(key, json_text(text));
-    }
-    std::string object() const { return "{" + text_ + "}"; }
-    std::string array() const { return "[" + text_ + "]"; }
-    const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
-
-std::string required_keys(const std::vector<std::string_view>& keys) {
-    JsonParts all;
-    for (const std::string_view key : keys) all.add(json_text(key));
-    return "\"required\": " + all.array();
+/// A member that is said, if there is something to say.
+void say(std::string_view key, std::string_view text, JsonWriter& json) {
+    if (!text.empty()) json.member(key, text);
+}
+/// Members that are JSON already.
+void add(std::string_view members, JsonWriter& json) {
+    if (!members.empty()) json.json(members);
 }
 
 // ----- quantities
@@ -86,7 +72,7 @@ std::string definition_of(QuantityKind kind) {
     return name;
 }
 
-std::string schema_of_quantity(QuantityKind kind) {
+void write_quantity(QuantityKind kind, JsonWriter& json) {
     using enum QuantityKind;
     const bool turns = kind == angle || kind == angular_velocity || kind == angular_acceleration || kind == moment;
     const bool can_be_set = std::any_of(forms::units.rows.begin(), forms::units.rows.end(),
@@ -94,36 +80,30 @@ std::string schema_of_quantity(QuantityKind kind) {
     std::string article = in_english(with_article(kind));
     article.front() = static_cast<char>(article.front() - 'a' + 'A');
     const std::string bare = can_be_set ? "the unit that \"units\" sets" : std::string(default_unit(kind).symbol);
-    JsonParts parts;
-    parts.add_text("description", article + (turns ? ", counter-clockwise positive" : "") + ". A bare number is in " +
-                                      bare + "; a string states its own unit (" + units_of(kind) +
-                                      "), or is a formula \"= …\".");
-    parts.add("type", R"(["number", "string"])");
-    parts.add_text("pattern", "^ *=|^" + number_pattern("+-") + " *" + units_pattern(kind) + " *$");
-    return parts.object();
+    json.open('{');
+    json.member("description", article + (turns ? ", counter-clockwise positive" : "") + ". A bare number is in " +
+                                   bare + "; a string states its own unit (" + units_of(kind) +
+                                   "), or is a formula \"= …\".");
+    json.key("type").open('[').values("number", "string").close();
+    json.member("pattern", "^ *=|^" + number_pattern("+-") + " *" + units_pattern(kind) + " *$").close();
 }
 
-std::string members_of_unit(QuantityKind kind) {
-    JsonParts examples;
+void write_unit(QuantityKind kind, JsonWriter& json) {
+    json.member("type", "string").key("examples").open('[');
     for (const KnownUnit& each : known_units()) {
-        if (each.kind == kind) examples.add(json_text(each.symbol));
-        if (each.kind == kind && each.symbol == "deg") examples.add(json_text("°"));
+        if (each.kind == kind) json.value(each.symbol);
+        if (each.kind == kind && each.symbol == "deg") json.value("°");
     }
-    JsonParts parts;
-    parts.add_text("type", "string");
-    parts.add("examples", examples.array());
-    return parts.text();
+    json.close();
 }
 
-std::string members_of_scale(QuantityKind kind) {
+void write_scale(QuantityKind kind, JsonWriter& json) {
     const std::string number = number_pattern("+");
     const std::string ratio = in_braces("^ *" + number + " *: *" + number + " *$");
     const std::string side = "^ *" + number + " *" + units_pattern(QuantityKind::length);
     const std::string equation = in_braces(side + " *(=|≙) *" + number + " *" + units_pattern(kind) + " *$");
-    JsonParts parts;
-    parts.add_text("type", "string");
-    parts.add_text("pattern", kind == QuantityKind::length ? ratio + "|" + equation : equation);
-    return parts.text();
+    json.member("type", "string");
+    json.member("pattern", kind == QuantityKind::length ? ratio + "|" + equation : equation);
 }
 
 /// With what follows from the kind of the quantity.
@@ -138,11 +118,11 @@ std::string description_of(const FormRow& row) {
            "." + (row.says.empty() ? "" : " ") + std::string(row.says);
 }
 
-std::string members_of_texts() {
-    JsonParts by_language;
-    for (const Language language : languages) by_language.add(code_of(language), R"({"type": "string"})");
-    return R"("anyOf": [{"type": "string"}, {"type": "object", "properties": )" + by_language.object() +
-           R"(, "additionalProperties": false, "minProperties": 1}])";
+void write_texts(JsonWriter& json) {
+    json.key("anyOf").open('[').open('{').member("type", "string").close();
+    json.open('{').member("type", "object").key("properties").open('{');
+    for (const Language language : languages) json.key(code_of(language)).open('{').member("type", "string").close();
+    json.close().member("additionalProperties", false).member("minProperties", 1).close().close();
 }
 
 // ----- forms
@@ -150,37 +130,38 @@ std::string members_of_texts() {
 class SchemaOfForms {
 public:
     std::string whole(const Form& file) {
-        JsonParts parts;
-        parts.add_text("$schema", "http://json-schema.org/draft-07/schema#");
-        parts.add_text("title", "Kinegraph mechanism");
-        parts.add_text("description", file.says);
-        parts.add(members_of_object(file));
-        parts.add("definitions", definitions_.object());
-        return parts.object();
+        JsonWriter json;
+        json.open('{').member("$schema", "http://json-schema.org/draft-07/schema#");
+        json.member("title", "Kinegraph mechanism");
+        say("description", file.says, json);
+        definitions_.open('{');
+        write_form(file, json);
+        return json.member("definitions", definitions_.close()).close().take();
     }
 
 private:
     /// A value in its place: a reference where it has a definition.
-    std::string value(const FormValue& stated) { return value_with(stated, {}, {}); }
+    void write(const FormValue& stated, JsonWriter& json) { write(stated, {}, {}, json); }
 
-    std::string value_with(const FormValue& stated, std::string_view says, std::string_view range) {
+    void write(const FormValue& stated, std::string_view says, std::string_view range, JsonWriter& json) {
         const FormValue& of = stated.shape == Shape::defined ? *stated.of : stated;
         const std::string definition = define(of);
-        JsonParts parts;
+        json.open('{');
         if (definition.empty()) {
-            parts.add_text("description", says.empty() ? description(of) : says);
-            parts.add(members(of));
-            parts.add(range);
-            return parts.object();
+            say("description", says.empty() ? description(of) : says, json);
+            write_members(of, json);
+            add(range, json);
+            json.close();
+            return;
         }
-        std::string reference = R"({"$ref": "#/definitions/)" + definition + "\"}";
-        if (says.empty() && range.empty()) return reference;
-        JsonParts all;
-        all.add(reference);
-        if (!range.empty()) all.add("{" + std::string(range) + "}");
-        parts.add_text("description", says);
-        parts.add("allOf", all.array());
-        return parts.object();
+        const bool is_alone = says.empty() && range.empty();
+        say("description", says, json);
+        if (!is_alone) json.key("allOf").open('[').open('{');
+        json.member("$ref", "#/definitions/" + definition);
+        if (!is_alone) json.close();
+        if (!range.empty()) json.open('{').json(range).close();
+        if (!is_alone) json.close();
+        json.close();
     }
 
     static std::string_view description(const FormValue& of) {
@@ -193,103 +174,99 @@ private:
         std::string name = is_quantity ? definition_of(of.kind) : std::string(of.name);
         if (name.empty() || std::find(defined_.begin(), defined_.end(), name) != defined_.end()) return name;
         defined_.push_back(name);
-        JsonParts parts;
-        parts.add_text("description", description(of));
-        if (!is_quantity) parts.add(members(of));
-        definitions_.add(name, is_quantity ? schema_of_quantity(of.kind) : parts.object());
+        JsonWriter own;
+        if (is_quantity) {
+            write_quantity(of.kind, own);
+        } else {
+            own.open('{');
+            say("description", description(of), own);
+            write_members(of, own);
+            own.close();
+        }
+        definitions_.member(name, own);
         return name;
     }
 
-    std::string members(const FormValue& of) {
-        JsonParts parts;
+    void write_members(const FormValue& of, JsonWriter& json) {
         switch (of.shape) {
-            case Shape::json: return std::string(of.json);
-            case Shape::unit: return members_of_unit(of.kind);
-            case Shape::scale: return members_of_scale(of.kind);
-            case Shape::texts: return members_of_texts();
-            case Shape::form: return of.form->choices.empty() ? members_of_object(*of.form) : any_of({of});
-            case Shape::any: return any_of({of.choices.begin(), of.choices.end()});
-            case Shape::word:
-                for (const std::string_view word : of.words) parts.add(json_text(word));
-                return "\"enum\": " + parts.array();
+            case Shape::json: return add(of.json, json);
+            case Shape::unit: return write_unit(of.kind, json);
+            case Shape::scale: return write_scale(of.kind, json);
+            case Shape::texts: return write_texts(json);
+            case Shape::form: return of.form->choices.empty() ? write_form(*of.form, json) : write_any({of}, json);
+            case Shape::any: return write_any({of.choices.begin(), of.choices.end()}, json);
+            case Shape::word: json.member("enum", of.words); return;
             case Shape::list:
-            case Shape::map: return members_of_several(of);
+            case Shape::map: return write_several(of, json);
             case Shape::quantity:
             case Shape::defined: break;
         }
         KG_ASSERT(false, "a quantity has a definition of its own");
-        return {};
     }
 
-    std::string members_of_several(const FormValue& of) {
+    void write_several(const FormValue& of, JsonWriter& json) {
         const bool is_list = of.shape == Shape::list;
         const std::string what = is_list ? "Items" : "Properties";
-        JsonParts parts;
-        parts.add_text("type", is_list ? "array" : "object");
-        parts.add(of.json);
-        if (of.least > 0) parts.add("min" + what, std::to_string(of.least));
-        if (of.most > 0) parts.add("max" + what, std::to_string(of.most));
-        parts.add(is_list ? "items" : "additionalProperties", value(*of.of));
-        return parts.text();
+        json.member("type", is_list ? "array" : "object");
+        add(of.json, json);
+        if (of.least > 0) json.member("min" + what, of.least);
+        if (of.most > 0) json.member("max" + what, of.most);
+        write(*of.of, json.key(is_list ? "items" : "additionalProperties"));
     }
 
-    std::string any_of(const std::vector<FormValue>& choices) {
-        JsonParts all;
+    void write_any(const std::vector<FormValue>& choices, JsonWriter& json) {
+        json.key("anyOf").open('[');
         for (const FormValue& each : choices) {
             if (each.shape != Shape::form || each.form->choices.empty())
-                all.add(value(each));
+                write(each, json);
             else
-                for (const Form::Choice& choice : each.form->choices) all.add(object_of(*each.form, choice));
+                for (const Form::Choice& choice : each.form->choices) write_choice(*each.form, choice, json);
         }
-        return "\"anyOf\": " + all.array();
+        json.close();
     }
 
-    std::string object_of(const Form& form, const Form::Choice& choice) {
+    void write_choice(const Form& form, const Form::Choice& choice, JsonWriter& json) {
+        json.open('{');
+        say("description", choice.says, json);
         std::vector<std::string_view> keys;
-        JsonParts properties;
+        json.member("type", "object").key("properties").open('{');
         for (const std::string_view key : choice.keys) {
             if (key.empty()) continue;
             const FormRow* const row = form.row(key);
             KG_ASSERT(row != nullptr, "a choice names keys of its form");
             keys.push_back(key);
-            properties.add(key, property(*row));
+            write_row(*row, json);
         }
-        JsonParts parts;
-        parts.add_text("description", choice.says);
-        parts.add(object(properties, keys));
-        return parts.object();
+        json.close();
+        if (!keys.empty()) json.member("required", keys);
+        json.member("additionalProperties", false).close();
     }
 
-    std::string members_of_object(const Form& form) {
-        JsonParts properties, alternatives;
-        std::vector<std::string_view> required, at_most_one;
+    void write_form(const Form& form, JsonWriter& json) {
+        std::vector<std::string_view> required, one_of, at_most_one;
+        json.member("type", "object").key("properties").open('{');
         for (const FormRow& row : form.rows) {
-            properties.add(row.key, property(row));
+            write_row(row, json);
             if (row.need == Need::required) required.push_back(row.key);
-            if (row.need == Need::one_of) alternatives.add("{" + required_keys({row.key}) + "}");
+            if (row.need == Need::one_of) one_of.push_back(row.key);
             if (row.need == Need::at_most_one) at_most_one.push_back(row.key);
         }
-        JsonParts parts;
-        parts.add(object(properties, required));
-        if (!alternatives.text().empty()) parts.add("oneOf", alternatives.array());
+        json.close();
+        if (!required.empty()) json.member("required", required);
+        json.member("additionalProperties", false);
+        if (!one_of.empty())
+            json.list("oneOf", one_of,
+                      [&](std::string_view key) { json.open('{').member("required", std::array{key}).close(); });
         KG_ASSERT(at_most_one.empty() || at_most_one.size() == 2, "not both of two keys");
-        if (!at_most_one.empty()) parts.add("not", "{" + required_keys(at_most_one) + "}");
-        parts.add(form.rules);
-        return parts.text();
+        if (!at_most_one.empty()) json.key("not").open('{').member("required", at_most_one).close();
+        add(form.rules, json);
     }
 
-    static std::string object(const JsonParts& properties, const std::vector<std::string_view>& required) {
-        JsonParts parts;
-        parts.add_text("type", "object");
-        parts.add("properties", properties.object());
-        if (!required.empty()) parts.add(required_keys(required));
-        parts.add("additionalProperties", "false");
-        return parts.text();
+    void write_row(const FormRow& row, JsonWriter& json) {
+        write(row.value, description_of(row), row.range, json.key(row.key));
     }
 
-    std::string property(const FormRow& row) { return value_with(row.value, description_of(row), row.range); }
-
-    JsonParts definitions_;
+    JsonWriter definitions_;
     std::vector<std::string> defined_;
 };
 

@@ -22,6 +22,10 @@ public:
         }
         KG_ASSERT(false, "a component is x or y");
     }
+    std::string subject(const Quantity& q) const {
+        const ResultKind::Subject kind = result_kind(q).subject;
+        return subject(q, kind) + (kind == ResultKind::Subject::joint ? bodies_of_contact(q.joint) : "");
+    }
 
 private:
     /// "omega 3", "sliding B velocity", "force A 3 on 2 couple".
@@ -64,6 +68,15 @@ private:
         KG_ASSERT(false, "a part is one of these");
     }
 
+    std::string bodies_of_contact(JointIndex index) const {
+        const Joint& joint = mechanism_.joint(index);
+        const auto shares = [&](const Sliding& other) {
+            return other.joint != index && mechanism_.joint(other.joint).name == joint.name;
+        };
+        if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
+            return {};
+        return " (" + body_name(joint.bodies[0]) + " on " + body_name(joint.bodies[1]) + ")";
+    }
     static std::size_t at(auto index) { return at_index(index); }
     std::string body_name(BodyIndex index) const { return index == none ? "pin" : mechanism_.bodies[at(index)].name; }
     std::string bar_name(BodyIndex index) const {
@@ -91,5 +104,7 @@ private:
 }  // namespace
 
 std::string name_of(const Quantity& quantity, const Solution& solution) { return Namer(solution).name(quantity); }
+
+std::string subject_of(const Quantity& quantity, const Solution& solution) { return Namer(solution).subject(quantity); }
 
 }  // namespace kinegraph

@@ -39,6 +39,9 @@ struct ResultKind {
     Symbol::Letter letter = Symbol::Letter::point;
     std::string_view name;         ///< in checks, before its subject: "omega", "force"
     std::string_view ending = {};  ///< in checks, behind it: " couple"
+    /// Where its values lie in the results file, with `*` for its subject: "bodies/*/omega". In a section with more
+    /// than results the last name alone: "velocity". None: elsewhere (docs/results.md).
+    std::string_view in_file = {};
     /// Of its column, before the axis and its subject: "v" of "vx A", "" of "x P13"; none: it has no column.
     std::optional<std::string_view> column = std::nullopt;
     /// Whether a sweep has its column only where it is asked for, since it costs time or has gaps.

@@ -13,6 +13,7 @@
 
 namespace kinegraph {
 
+class JsonWriter;
 struct Solution;
 class FormReader;
 struct FormValue;
@@ -31,8 +32,8 @@ struct ProblemKind {
     /// Adds the problems of this kind at the joints of a mechanism whose forces are found; null: there are none.
     void (*add_at_joints)(Solution& solution) = nullptr;
 
-    /// The value of `key` in the results file (docs/results.md); `exact` adds fractions.
-    std::string (*results)(const Solution& solution, bool exact) = nullptr;
+    /// Writes the value of `key` in the results file (docs/results.md); `exact` adds fractions.
+    void (*results)(const Solution& solution, bool exact, JsonWriter& json) = nullptr;
 
     /// For the title block: how many bodies or points it is about, and the units that stand beside that of length.
     struct TitleBlock {

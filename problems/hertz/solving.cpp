@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "engine/number/functions.hpp"
-#include "engine/results/json_parts.hpp"
+#include "engine/results/results.hpp"
+#include "engine/solution/solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/hertz.hpp"
 
@@ -249,14 +250,22 @@ Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProb
     return solution;
 }
 
-const ProblemKind hertz_problem{
-    .key = "hertz",
-    .section = &hertz_section,
-    .read = read_hertz,
-    .solve = [](const Problem& problem, const Mechanism&,
-                const Pose&) { return solve_hertz(problem.as<HertzProblem>()); },
-    .add_at_joints = find_contacts,
-    .results = [](const Solution& solution,
-                  bool) { return json::object_of_lines(json::values_of(*solution.problem)); }};
+namespace {
+
+void hertz_results(const Solution& solution, bool /*exact*/, JsonWriter& json) {
+    json.open('{', JsonWriter::Entries::on_lines);
+    write_values(*solution.problem, json);
+    json.close();
+}
+
+}  // namespace
+
+const ProblemKind hertz_problem{.key = "hertz",
+                                .section = &hertz_section,
+                                .read = read_hertz,
+                                .solve = [](const Problem& problem, const Mechanism&,
+                                            const Pose&) { return solve_hertz(problem.as<HertzProblem>()); },
+                                .add_at_joints = find_contacts,
+                                .results = hertz_results};
 
 }  // namespace kinegraph

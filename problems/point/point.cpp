@@ -1,56 +1,47 @@
 // The motion of a point as a kind of problem, and its results as JSON.
 #include "problems/point/point.hpp"
 
-#include "engine/results/json_parts.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {
 
-/// A law and its derivatives in symbols.
-std::string derived_json(const Derived& derived, const NamedConstants& constants, std::string_view variable) {
-    std::string orders = "[";
-    for (const Expression& each : derived.by_order)
-        orders += (orders.size() > 1 ? ", " : "") + json::quoted(written(each, constants, variable));
-    return orders + "]";
-}
-std::string derivatives_json(const PointProblem& problem, const PointMotionSolution& found) {
-    json::Members members;
+/// The laws and their derivatives in symbols.
+void write_derivatives(const PointProblem& problem, const PointMotionSolution& found, JsonWriter& json) {
+    json.key("derivatives").open('{');
     const auto add = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
-        members.emplace_back(law.symbol == "θ" ? "theta" : law.symbol,
-                             derived_json(derived, problem.constants, variable));
+        json.key(law.symbol == "θ" ? "theta" : law.symbol).open('[');
+        for (const Expression& each : derived.by_order) json.value(written(each, problem.constants, variable));
+        json.close();
     };
     for (std::size_t i = 0; i < found.laws.size(); ++i) add(problem.laws[i], found.laws[i], "t");
     if (found.of_path) add(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
-    return json::object(members);
+    json.close();
 }
-std::string polar_json(const PointMotionSolution& found) {
-    const auto two = [](const std::array<double, 2>& of) {
-        return json::pair(json::number(of[0]), json::number(of[1]));
-    };
-    return json::object({{"position", two({found.r, found.theta})},
-                         {"velocity", two(found.polar_velocity)},
-                         {"acceleration", two(found.polar_acceleration)}});
+void write_polar(const PointMotionSolution& found, JsonWriter& json) {
+    json.key("polar");
+    if (found.at_pole) {
+        json.value(std::nullopt);
+        return;
+    }
+    json.open('{').member("position", VectorOf<double>{found.r, found.theta});
+    json.member("velocity", found.polar_velocity).member("acceleration", found.polar_acceleration).close();
 }
-std::string point_results(const Solution& solution, bool) {
+void point_results(const Solution& solution, bool /*exact*/, JsonWriter& json) {
     const auto& problem = solution.mechanism.problem->as<PointProblem>();
     const auto& found = solution.problem->as<PointMotionSolution>();
-    const auto if_defined = [](bool defined, double value) {
-        return defined ? json::number(value) : std::string("null");
-    };
-    return json::object_of_lines({{"point", json::quoted(problem.point)},
-                                  {"at", json::number(problem.at)},
-                                  {"position", json::pair(found.place)},
-                                  {"velocity", json::pair(found.velocity)},
-                                  {"acceleration", json::pair(found.acceleration)},
-                                  {"way", json::number(found.way)},
-                                  {"speed", json::number(found.speed)},
-                                  {"tangential acceleration", if_defined(!found.rests, found.along)},
-                                  {"normal acceleration", if_defined(!found.rests, found.across)},
-                                  {"radius of curvature", if_defined(found.centre.has_value(), found.radius)},
-                                  {"centre of curvature", found.centre ? json::pair(*found.centre) : "null"},
-                                  {"polar", found.at_pole ? "null" : polar_json(found)},
-                                  {"derivatives", derivatives_json(problem, found)}});
+    const auto if_defined = [](bool defined, double value) { return defined ? std::optional(value) : std::nullopt; };
+    json.open('{', JsonWriter::Entries::on_lines).member("point", problem.point).member("at", problem.at);
+    json.member("position", found.place).member("velocity", found.velocity);
+    json.member("acceleration", found.acceleration).member("way", found.way).member("speed", found.speed);
+    json.member("tangential acceleration", if_defined(!found.rests, found.along));
+    json.member("normal acceleration", if_defined(!found.rests, found.across));
+    json.member("radius of curvature", if_defined(found.centre.has_value(), found.radius));
+    json.member("centre of curvature", found.centre);
+    write_polar(found, json);
+    write_derivatives(problem, found, json);
+    json.close();
 }
 Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism& mechanism, const Pose& pose) {
     return solve_point_motion(problem.as<PointProblem>(), mechanism, pose);

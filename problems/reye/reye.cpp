@@ -1,21 +1,19 @@
 // Wear as a kind of problem, and its results as JSON.
 #include "problems/reye/reye.hpp"
 
-#include <utility>
-
-#include "engine/results/json_parts.hpp"
+#include "engine/results/results.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 namespace {
 
-std::string reye_results(const Solution& solution, bool) {
+void reye_results(const Solution& solution, bool /*exact*/, JsonWriter& json) {
     const auto& found = solution.problem->as<ReyeSolution>();
-    json::Members members{{"pressures", json::pair(json::number(found.first), json::number(found.second))}};
-    for (auto& each : json::values_of(*solution.problem)) members.push_back(std::move(each));
-    if (found.worn)
-        members.emplace_back("worn", json::pair(json::number((*found.worn)[0]), json::number((*found.worn)[1])));
-    return json::object_of_lines(members);
+    json.open('{', JsonWriter::Entries::on_lines);
+    json.member("pressures", VectorOf<double>{found.first, found.second});
+    write_values(*solution.problem, json);
+    if (found.worn) json.member("worn", *found.worn);
+    json.close();
 }
 Result<ProblemSolution> solve_this(const Problem& problem, const Mechanism&, const Pose&) {
     return solve_reye(problem.as<ReyeProblem>());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/file/json_writer.hpp"
 #include "engine/solution/moving.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/text/words.hpp"
@@ -14,14 +15,14 @@ struct Solution;
 
 namespace kinegraph::render {
 
-/// Safe in a script element: contains no "<".
-std::string moving_json(const Moving& moving, const Solution& solution);
-/// Meaning of the ids and labels in figures.
-std::string names_json(const Solution& solution);
+/// The member "moving".
+void write_moving(const Moving& moving, const Solution& solution, JsonWriter& json);
+/// The member "names": meaning of the ids and labels in figures.
+void write_names(const Solution& solution, JsonWriter& json);
 /// Data of a figure: position, scale, and the names in its labels, in drawing order.
-std::string figure_json(const AloneFigure& figure);
-/// The words of the page in its languages.
-std::string words_json(Language asked);
+void write_figure(const AloneFigure& figure, JsonWriter& json);
+/// The member "words": those of the page in its languages.
+void write_words(Language asked, JsonWriter& json);
 /// The languages between which the reader of a page changes: the one asked for, and English; with English, Italian.
 std::vector<Language> languages_of_page(Language asked);
 /// The display unit of a column: symbol and size in SI.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/equations/equations.hpp"
-#include "engine/file/json_text.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
@@ -150,19 +150,27 @@ public:
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
     std::string write(const std::optional<Theme>& dark, int served) {
-        std::string sheets, figures;
+        std::string sheets;
         const Language first = options_.language;
+        write_words(first, data_.open('{'));
+        data_.key("figures").open('{');
         for (const Language language : languages_of_page(first)) {
+            data_.key(code_of(language)).open('[');
             sheets += sheet(language);
-            figures +=
-                (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
+            data_.close();
         }
-        std::string data = "{\"words\":" + words_json(first) + ",\"figures\":{" + figures + "}";
-        data += dark ? ",\"dark\":true" : "";
-        if (served > 0) data += ",\"served\":" + std::to_string(served);
-        if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
-        if (solution_.truss) data += ",\"pens\":" + pens_json();
-        data += "}";
+        data_.close();
+        if (dark) data_.member("dark", true);
+        if (served > 0) data_.member("served", served);
+        if (moving_) {
+            write_names(solution_, data_);
+            write_moving(*moving_, solution_, data_);
+        }
+        // Stroke and width of bars in compression, without force, in tension.
+        if (solution_.truss)
+            data_.list("pens", pens_of_bars(options_.theme),
+                       [&](const Pen& pen) { data_.open('[').values(hex(pen.colour), pen.width).close(); });
+        const std::string data = data_.close().take();
         const std::string script =
             without_comments(live_script, true) + (served > 0 ? without_comments(live_watch_script, true) : "");
         return document(title_of(solution_, first), first, style_of(options_.theme, dark), script, data, served > 0,
@@ -170,13 +178,6 @@ public:
     }
 
 private:
-    /// Stroke and width of bars in compression, without force, in tension.
-    std::string pens_json() const {
-        std::string text;
-        for (const Pen& pen : pens_of_bars(options_.theme))
-            text += (text.empty() ? "[\"" : ",[\"") + hex(pen.colour) + "\"," + shortest(pen.width) + "]";
-        return "[" + text + "]";
-    }
     /// The sheets within the controls, to which the script adds the words.
     std::string body(const std::string& sheets) const {
         std::string titles, languages;
@@ -217,10 +218,9 @@ private:
         options.language = language;
         std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
         std::string out;
-        figures_json_.clear();
         for (AloneFigure& figure : drawn) {
             figure.page.tells_holds = true;
-            figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
+            write_figure(figure, data_);
             const std::string svg =
                 drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);
             std::string caption = html(figure.caption);
@@ -324,7 +324,7 @@ private:
     const SheetOptions& options_;
     const Fonts& fonts_;
     Drawings drawings_;
-    std::string figures_json_;  // of the sheet written last
+    JsonWriter data_{JsonWriter::Style::script};
 };
 
 }  // namespace
@@ -335,9 +335,10 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 }
 
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
-    const std::string data = "{\"words\":" + words_json(options.language) + ",\"served\":0}";
+    JsonWriter data(JsonWriter::Style::script);
+    write_words(options.language, data.open('{'));
     return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true),
-                    data, true,
+                    data.member("served", 0).close().take(), true,
                     element("main", "lang=\"" + code_of(options.language) + "\"", element("h1", "", escaped(name))));
 }
 

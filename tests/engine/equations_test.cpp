@@ -24,6 +24,12 @@ namespace {
 
 using Letter = Equations::Letter;
 
+std::string equations_json(const Equations& equations) {
+    JsonWriter json;
+    write_equations(equations, json);
+    return json.take();
+}
+
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 const Letter& named(const Equations& equations, const std::string& name) {

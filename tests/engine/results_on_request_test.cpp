@@ -7,14 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "constructions/positions/named_results.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/results/results.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/result_values.hpp"
 #include "kinegraph/kinegraph.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
@@ -470,6 +474,41 @@ TEST(SweepText, HasNoColumnOnRequestThatIsNotNamed) {
     ASSERT_EQ(usual.columns.size(), plotted.columns.size());
     for (std::size_t i = 0; i < usual.columns.size(); ++i) EXPECT_EQ(usual.columns[i].name, plotted.columns[i].name);
     EXPECT_EQ(usual.rows, plotted.rows);
+}
+
+/// The value at "bodies/*/omega" of a document, `*` being the subject; null: there is none.
+Json at_place(const Json& document, std::string_view place, const std::string& subject) {
+    const Json* here = &document;
+    while (here->is_object()) {
+        const std::size_t end = place.find('/');
+        const std::string_view step = place.substr(0, end);
+        const auto next = here->find(step == "*" ? subject : std::string(step));
+        if (next == here->end()) return {};
+        here = &*next;
+        if (end == std::string_view::npos) return *here;
+        place.remove_prefix(end + 1);
+    }
+    return {};
+}
+
+TEST(ResultsFile, HasEachResultWhereTheCatalogueSays) {
+    std::set<std::string_view> places;
+    for (const char* const name : {"exam_2001", "engine_inertia_gas", "four_bar_weights", "truss_simple"}) {
+        const Solution solution = tests::solved(example_text(name));
+        const Json document = results_of(solution);
+        for_each_result(solution, [&](const Quantity& quantity, const auto& found) {
+            const std::string_view place = result_kind(quantity).in_file;
+            if (place.find('/') == std::string_view::npos) return;
+            const Json value = at_place(document, place, subject_of(quantity, solution));
+            Json expected;
+            if constexpr (requires { found->to_double(); }) expected = found->to_double();
+            if constexpr (requires { found->x; }) expected = {found->x.to_double(), found->y.to_double()};
+            EXPECT_EQ(value, expected) << name << " " << place;
+            places.insert(place);
+        });
+    }
+    for (const ResultKind& kind : result_kinds())
+        EXPECT_TRUE(kind.in_file.find('/') == std::string_view::npos || places.contains(kind.in_file)) << kind.in_file;
 }
 
 }  // namespace

@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "app/library/import/pmks_link.hpp"
 #include "app/library/state.hpp"
-#include "engine/file/json_text.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/file/units.hpp"
 #include "engine/number/exact.hpp"
 #include "engine/number/functions.hpp"
@@ -117,9 +118,15 @@ public:
 
 private:
     static constexpr std::size_t frame_body = 0;
+    static constexpr auto on_lines = JsonWriter::Entries::on_lines;
 
-    std::string point_name(std::size_t i) const { return json_text(points_[i].name); }
-    std::string body_name(std::size_t i) const { return json_text(bodies_[i].name); }
+    const std::string& point_name(std::size_t i) const { return points_[i].name; }
+    const std::string& body_name(std::size_t i) const { return bodies_[i].name; }
+    std::vector<std::string> point_names(const std::vector<std::size_t>& points) const {
+        std::vector<std::string> names;
+        for (const std::size_t point : points) names.push_back(point_name(point));
+        return names;
+    }
     Words length_words(double value) const { return decimal_words(two_digits(value) + ' ' + units_.length); }
 
     void name_all() {
@@ -181,8 +188,13 @@ private:
             moved.insert(pins.begin(), pins.end());
             const std::string ratio = (dot(along, to) / squared_length(along)).to_fraction();
             for (const std::size_t pin : pins)
-                points_[pin].form =
-                    "{\"from\": " + point_name(a) + ", \"to\": " + point_name(b) + ", \"ratio\": \"= " + ratio + "\"}";
+                points_[pin].form = JsonWriter()
+                                        .open('{')
+                                        .member("from", point_name(a))
+                                        .member("to", point_name(b))
+                                        .member("ratio", "= " + ratio)
+                                        .close()
+                                        .take();
         }
         return std::nullopt;
     }
@@ -195,15 +207,11 @@ private:
         return {same.begin(), same.end()};
     }
 
-    std::string names_of(const std::vector<std::size_t>& bodies) const {
-        std::string names;
-        for (const std::size_t body : bodies) names += (names.empty() ? "" : ", ") + body_name(body);
-        return '[' + names + ']';
-    }
-    void add_pair(const char* kind, std::size_t point, const std::vector<std::size_t>& bodies,
-                  const std::string& more = {}) {
-        joints_.push_back(std::string("{\"") + kind + "\": " + point_name(point) + ", \"bodies\": " + names_of(bodies) +
-                          more + '}');
+    /// Opens the pair, which may say more.
+    JsonWriter& add_pair(const char* kind, std::size_t point, const std::vector<std::size_t>& bodies) {
+        joints_.open('{').member(kind, point_name(point)).key("bodies").open('[');
+        for (const std::size_t body : bodies) joints_.value(body_name(body));
+        return joints_.close();
     }
 
     void add_joint(std::size_t i) {
@@ -222,8 +230,9 @@ private:
     }
     /// Bodies on one pin, or welded there.
     void connect(std::size_t point, const std::vector<std::size_t>& bodies, bool welded) {
-        if (!welded) return add_pair("revolute", point, bodies);
-        for (std::size_t i = 1; i < bodies.size(); ++i) add_pair("weld", point, {bodies[0], bodies[i]});
+        if (!welded) add_pair("revolute", point, bodies).close();
+        for (std::size_t i = 1; welded && i < bodies.size(); ++i)
+            add_pair("weld", point, {bodies[0], bodies[i]}).close();
     }
     void add_slider(std::size_t i, std::vector<std::size_t> bodies) {
         const PmksJoint& joint = drawing_.joints[i];
@@ -233,16 +242,17 @@ private:
             remarks_.emplace_back(lang::imports::joins_nothing, points_[i].name);
             return;
         }
-        const std::string along = has_slot(joint) ? '[' + point_name(joint_of_[joint.slot_a]) + ", " +
-                                                        point_name(joint_of_[joint.slot_b]) + ']'
-                                                  : '"' + guide_angle(i) + '"';
-        add_pair("prismatic", i, {bodies[0], carrier}, ", \"along\": " + along);
+        JsonWriter& pair = add_pair("prismatic", i, {bodies[0], carrier}).key("along");
+        if (has_slot(joint))
+            pair.value(point_names({joint_of_[joint.slot_a], joint_of_[joint.slot_b]}));
+        else
+            pair.value(guide_angle(i));
+        pair.close();
         if (bodies.size() > 1) {
             remarks_.emplace_back(lang::imports::several_slide, points_[i].name, bodies_[bodies[0]].name);
-            const std::string name = point_names_.add(points_[i].name + "_pin");
-            joints_.push_back("{\"" + std::string(joint.is_welded ? "weld" : "revolute") + "\": " + point_name(i) +
-                              ", \"bodies\": " + names_of({bodies[0], bodies[1]}) + ", \"name\": " + json_text(name) +
-                              '}');
+            add_pair(joint.is_welded ? "weld" : "revolute", i, {bodies[0], bodies[1]})
+                .member("name", point_names_.add(points_[i].name + "_pin"))
+                .close();
         }
         if (joint.is_input) add_sliding_driver(i, bodies[0], carrier);
     }
@@ -271,9 +281,9 @@ private:
         const Thousandths general = drawing_.input_speed * 1000 * (drawing_.turns_clockwise ? -1 : 1);
         const Thousandths speed = joint.speed.value_or(0) != 0 ? *joint.speed : general;
         inputs_.push_back({bodies[0], bodies[1], {}});
-        std::string driver = "{\"body\": " + body_name(bodies[1]) + ", \"omega\": \"" + decimal(speed) + " rpm\"";
-        if (bodies[0] != frame_body) driver += ", \"relative to\": " + body_name(bodies[0]);
-        drivers_.push_back(driver + '}');
+        drivers_.open('{').member("body", body_name(bodies[1])).member("omega", decimal(speed) + " rpm");
+        if (bodies[0] != frame_body) drivers_.member("relative to", body_name(bodies[0]));
+        drivers_.close();
     }
     void add_sliding_driver(std::size_t i, std::size_t rider, std::size_t carrier) {
         const PmksJoint& joint = drawing_.joints[i];
@@ -285,7 +295,7 @@ private:
         const Thousandths general = drawing_.slider_speed.value_or(usual) * (drawing_.turns_clockwise ? -1 : 1);
         const Thousandths speed = is_own ? *joint.speed : general;
         inputs_.push_back({carrier, rider, points_[i].name});
-        drivers_.push_back("{\"joint\": " + point_name(i) + ", \"speed\": " + decimal(speed) + '}');
+        drivers_.open('{').member("joint", point_name(i)).key("speed").json(decimal(speed)).close();
     }
 
     /// The point of the body there, which is added where there is none.
@@ -308,10 +318,10 @@ private:
             const std::size_t centre = link.is_piston
                                            ? bodies_[body].points.front()
                                            : point_at(body, link.centre_x, link.centre_y, "G_" + bodies_[body].name);
-            std::string mass =
-                body_name(body) + ": {\"mass\": " + decimal(link.mass) + ", \"centre\": " + point_name(centre);
-            if (link.inertia > 0 && !link.is_piston) mass += ", \"inertia\": " + decimal(link.inertia);
-            masses_.push_back(mass + '}');
+            masses_.key(body_name(body)).open('{').key("mass").json(decimal(link.mass));
+            masses_.member("centre", point_name(centre));
+            if (link.inertia > 0 && !link.is_piston) masses_.key("inertia").json(decimal(link.inertia));
+            masses_.close();
         }
     }
 
@@ -326,30 +336,26 @@ private:
                 continue;
             }
             const std::size_t body = found->second, at = point_at(body, force.from_x, force.from_y, "P_" + name);
-            std::string along = '[' + decimal(dx) + ", " + decimal(dy) + ']';
-            if (force.turns_with_link) {
-                const std::size_t tip = point_at(body, force.from_x + dx, force.from_y + dy, "Q_" + name);
-                along = '[' + point_name(at) + ", " + point_name(tip) + ']';
-            }
-            loads_.push_back("{\"force\": " + json_text(name) + ", \"body\": " + body_name(body) +
-                             ", \"at\": " + point_name(at) + ", \"magnitude\": " + decimal(force.magnitude) +
-                             ", \"along\": " + along + '}');
+            loads_.open('{').member("force", name).member("body", body_name(body)).member("at", point_name(at));
+            loads_.key("magnitude").json(decimal(force.magnitude)).key("along");
+            if (force.turns_with_link)
+                loads_.value(point_names({at, point_at(body, force.from_x + dx, force.from_y + dy, "Q_" + name)}));
+            else
+                loads_.open('[').json(decimal(dx)).json(decimal(dy)).close();
+            loads_.close();
         }
-        if (drawing_.forces_in_pounds != units_.in_pounds && !loads_.empty())
+        if (drawing_.forces_in_pounds != units_.in_pounds && !loads_.is_empty())
             remarks_.emplace_back(lang::imports::forces_are_in, std::string(units_.length), std::string(units_.force));
     }
     /// An input that forces act against has a couple or a force of its own.
     void add_efforts() {
-        if (loads_.empty() && (!drawing_.has_gravity || masses_.empty())) return;
+        if (loads_.is_empty() && (!drawing_.has_gravity || masses_.is_empty())) return;
         for (const Input& input : inputs_) {
-            const std::string name = json_text(load_names_.add(input.slider.empty() ? "M" : "F"));
-            if (!input.slider.empty()) {
-                efforts_.push_back("{\"force\": " + name + ", \"joint\": " + json_text(input.slider) + '}');
-                continue;
-            }
-            std::string effort = "{\"couple\": " + name + ", \"body\": " + body_name(input.moved);
-            if (input.reference != frame_body) effort += ", \"from\": " + body_name(input.reference);
-            efforts_.push_back(effort + '}');
+            const bool turns = input.slider.empty();
+            efforts_.open('{').member(turns ? "couple" : "force", load_names_.add(turns ? "M" : "F"));
+            efforts_.member(turns ? "body" : "joint", turns ? body_name(input.moved) : input.slider);
+            if (turns && input.reference != frame_body) efforts_.member("from", body_name(input.reference));
+            efforts_.close();
         }
     }
 
@@ -371,7 +377,7 @@ private:
     }
 
     /// Where the drawing is too small for it, the reader would refuse a precision of half a thousandth.
-    std::string precision() {
+    std::optional<std::string> precision() {
         const auto [left, right] =
             std::minmax_element(points_.begin(), points_.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
         const auto [low, high] =
@@ -381,44 +387,39 @@ private:
         const bool fits = std::max(right->x - left->x, high->y - low->y) >= least_size;
         remarks_.insert(remarks_.begin(), Words(fits ? lang::imports::has_three_decimals : lang::imports::is_too_small,
                                                 decimal_words(rounding)));
-        return fits ? "  \"precision\": \"" + rounding + "\",\n" : "";
+        return fits ? std::optional(rounding) : std::nullopt;
     }
 
-    static std::string block(const char* key, const std::vector<std::string>& lines, char open, char close) {
-        if (lines.empty()) return std::string(",\n  \"") + key + "\": " + open + close;
-        std::string text = std::string(",\n  \"") + key + "\": " + open;
-        for (std::size_t i = 0; i < lines.size(); ++i) text += (i == 0 ? "\n    " : ",\n    ") + lines[i];
-        return text + "\n  " + close;
-    }
     std::string written() {
-        std::string text = "{\n  \"kinegraph\": 1,\n  \"units\": {";
-        bool first = true;
-        for (const auto& [key, unit] : {std::pair("length", units_.length), std::pair("velocity", units_.speed),
-                                        std::pair("acceleration", units_.acceleration), std::pair("mass", units_.mass),
-                                        std::pair("inertia", units_.inertia), std::pair("force", units_.force),
-                                        std::pair("moment", units_.moment)}) {
-            text += std::string(first ? "" : ", ") + '"' + key + "\": \"" + unit + '"';
-            first = false;
+        JsonWriter json;
+        json.open('{', on_lines).member("kinegraph", 1).key("units").open('{').member("length", units_.length);
+        json.member("velocity", units_.speed).member("acceleration", units_.acceleration);
+        json.member("mass", units_.mass).member("inertia", units_.inertia).member("force", units_.force);
+        json.member("moment", units_.moment).close();
+        if (const auto rounding = precision()) json.member("precision", *rounding);
+        json.member("frame", body_name(frame_body)).key("points").open('{', on_lines);
+        for (const FilePoint& each : points_) {
+            json.key(each.name);
+            if (each.form.empty())
+                json.open('[').json(decimal(each.x)).json(decimal(each.y)).close();
+            else
+                json.json(each.form);
         }
-        text += "},\n" + precision() + "  \"frame\": " + body_name(frame_body);
-        std::vector<std::string> points, bodies;
-        for (const FilePoint& each : points_)
-            points.push_back(json_text(each.name) + ": " +
-                             (each.form.empty() ? '[' + decimal(each.x) + ", " + decimal(each.y) + ']' : each.form));
-        for (std::size_t body = 1; body < bodies_.size(); ++body) {
-            std::string names;
-            for (const std::size_t point : bodies_[body].points)
-                names += (names.empty() ? "" : ", ") + point_name(point);
-            bodies.push_back(body_name(body) + ": [" + names + ']');
-        }
-        text +=
-            block("points", points, '{', '}') + block("bodies", bodies, '{', '}') + block("joints", joints_, '[', ']');
-        if (!drivers_.empty()) text += block("drivers", drivers_, '[', ']');
-        if (!masses_.empty()) text += block("masses", masses_, '{', '}');
-        if (drawing_.has_gravity) text += ",\n  \"gravity\": [0, \"-9.81 m/s²\"]";
-        if (!loads_.empty()) text += block("loads", loads_, '[', ']');
-        if (!efforts_.empty()) text += block("effort", efforts_, '[', ']');
-        return text + "\n}\n";
+        json.close().key("bodies").open('{', on_lines);
+        for (std::size_t body = 1; body < bodies_.size(); ++body)
+            json.member(body_name(body), point_names(bodies_[body].points));
+        json.close().member("joints", joints_.close());
+        if (!drivers_.is_empty()) json.member("drivers", drivers_.close());
+        if (!masses_.is_empty()) json.member("masses", masses_.close());
+        if (drawing_.has_gravity) json.key("gravity").open('[').values(0, "-9.81 m/s²").close();
+        if (!loads_.is_empty()) json.member("loads", loads_.close());
+        if (!efforts_.is_empty()) json.member("effort", efforts_.close());
+        return json.close().take() + '\n';
+    }
+
+    /// A section of the file, open.
+    static JsonWriter section(char bracket) {
+        return JsonWriter(JsonWriter::Style::document, 1).open(bracket, on_lines);
     }
 
     const PmksDrawing& drawing_;
@@ -431,7 +432,8 @@ private:
     std::map<std::string, std::size_t> body_of_;      ///< by id of a link, or of one welded into it
     std::vector<std::vector<std::size_t>> at_joint_;  ///< by joint: its bodies, in the order of the links
     std::vector<Input> inputs_;
-    std::vector<std::string> joints_, drivers_, masses_, loads_, efforts_;  ///< JSON, one line each
+    JsonWriter joints_ = section('['), drivers_ = section('['), masses_ = section('{'), loads_ = section('['),
+               efforts_ = section('[');
 };
 
 }  // namespace
