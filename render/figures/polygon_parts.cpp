@@ -539,11 +539,8 @@ private:
         const Spot reach{std::max(room_.x - box.width(), inset.box.width() + apart_from_figure),
                          std::max(room_.y - box.height(), inset.box.height() + apart_from_figure)};
         const Spot origin = box.min - reach;
-        Occupancy occupancy(box.width() + 2 * reach.x, box.height() + 2 * reach.y);
-        std::vector<Spot> spots = covered(figure_.marks);
-        for (Spot& spot : spots) spot = spot - origin;
-        occupancy.block(spots);
-        const FreeBoxes free(occupancy);
+        const Occupancy occupancy(origin, {box.width() + 2 * reach.x, box.height() + 2 * reach.y},
+                                  covered(figure_.marks));
         Spot best;
         double least = 1e300;
         constexpr double step = 2;
@@ -557,9 +554,9 @@ private:
                 const double price =
                     1000 * outside + (width - box.width()) + (height - box.height()) + 0.15 * length(middle - of);
                 if (price >= least) continue;
-                const Box wanted{Spot{x - apart_from_figure, y - apart_from_figure} - origin,
-                                 far + Spot{apart_from_figure, apart_from_figure} - origin};
-                if (!free.has(wanted)) continue;
+                const Box wanted{{x - apart_from_figure, y - apart_from_figure},
+                                 far + Spot{apart_from_figure, apart_from_figure}};
+                if (!occupancy.is_free(wanted)) continue;
                 least = price;
                 best = {x, y};
             }
@@ -674,11 +671,7 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
     const Spot apart{apart_from_figure, apart_from_figure};
     const Box within{box.max - room - apart, box.min + room + apart};
     if (!(within.width() > 0 && within.height() > 0)) return true;
-    Occupancy occupancy(within.width(), within.height());
-    std::vector<Spot> spots = covered(strokes.marks);
-    for (Spot& spot : spots) spot = spot - within.min;
-    std::erase_if(spots, [](Spot spot) { return spot.x < 0 || spot.y < 0; });
-    occupancy.block(spots);
+    const Occupancy occupancy(within.min, {within.width(), within.height()}, covered(strokes.marks));
     return std::all_of(details.begin(), details.end(), [&](const Detail& detail) {
         // A lower bound of the size: circle and legend, rounded down to whole millimetres.
         Figure inset = blank_inset(strokes, context, detail);

@@ -4,95 +4,50 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "engine/number/functions.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 
-Occupancy::Occupancy(double width, double height)
-    : columns_(static_cast<int>(std::ceil(width))),
-      rows_(static_cast<int>(std::ceil(height))),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+Occupancy::Occupancy(Spot origin, Spot size, const std::vector<Spot>& inked)
+    : origin_(origin), columns_(static_cast<int>(std::ceil(size.x))), rows_(static_cast<int>(std::ceil(size.y))) {
+    const auto width = static_cast<std::size_t>(columns_) + 1;
+    inked_.assign(width * (static_cast<std::size_t>(rows_) + 1), 0);
+    for (const Spot& each : inked) {
+        const Spot spot = each - origin;
+        if (spot.x < 0 || spot.y < 0 || spot.x >= columns_ || spot.y >= rows_) continue;
+        inked_[(static_cast<std::size_t>(spot.y) + 1) * width + static_cast<std::size_t>(spot.x) + 1] = 1;
+    }
+    for (std::size_t corner = width; corner < inked_.size(); ++corner)
+        if (corner % width != 0) inked_[corner] += inked_[corner - 1];
+    for (std::size_t corner = width; corner < inked_.size(); ++corner) inked_[corner] += inked_[corner - width];
+}
 
-void Occupancy::block(const Box& box) {
-    const int left = std::clamp(static_cast<int>(std::floor(box.min.x)), 0, columns_);
-    const int right = std::clamp(static_cast<int>(std::ceil(box.max.x)), 0, columns_);
-    const int top = std::clamp(static_cast<int>(std::floor(box.min.y)), 0, rows_);
-    const int bottom = std::clamp(static_cast<int>(std::ceil(box.max.y)), 0, rows_);
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x) cells_[index(x, y)] = 1;
-}
-void Occupancy::block(const std::vector<Spot>& spots) {
-    for (const Spot spot : spots) {
-        const int x = static_cast<int>(spot.x), y = static_cast<int>(spot.y);
-        if (x >= 0 && y >= 0 && x < columns_ && y < rows_) cells_[index(x, y)] = 1;
-    }
-}
-bool Occupancy::is_free(int row, int from, int to) const {
-    return from >= to ||
-           std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
-}
-std::pair<double, double> Occupancy::longest_run(double left, double right, double top, double bottom) const {
-    const int from = std::clamp(static_cast<int>(std::floor(left)), 0, columns_);
-    const int to = std::clamp(static_cast<int>(std::ceil(right)), 0, columns_);
-    std::pair<double, double> best{0, 0};
-    int start = static_cast<int>(std::ceil(top));
-    const int end = static_cast<int>(std::floor(bottom));
-    const auto close = [&](int y, bool at_edge) {
-        const double run_top = start + (start == static_cast<int>(std::ceil(top)) ? 0 : clear);
-        const double run_bottom = y - (at_edge ? 0 : clear);
-        if (run_bottom - run_top > best.second - best.first) best = {run_top, run_bottom};
+int Occupancy::inked_in(int left, int right, int top, int bottom) const {
+    const auto at = [&](int x, int y) {
+        return inked_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(columns_) + 1) +
+                      static_cast<std::size_t>(x)];
     };
-    for (int y = start; y < end; ++y) {
-        if (is_free(y, from, to)) continue;
-        close(y, false);
-        start = y + 1;
-    }
-    close(end, true);
-    return best;
+    return at(right, bottom) - at(right, top) - at(left, bottom) + at(left, top);
+}
+
+bool Occupancy::is_free(const Box& box) const {
+    // std::floor and std::ceil without a function call, for non-negative values; anything else gives 0.
+    const auto down = [](double at, int most) { return std::clamp(static_cast<int>(at), 0, most); };
+    const auto up = [](double at, int most) {
+        return std::clamp(static_cast<int>(at) + (static_cast<int>(at) < at ? 1 : 0), 0, most);
+    };
+    const Spot min = box.min - origin_, max = box.max - origin_;
+    return inked_in(down(min.x, columns_), up(max.x, columns_), down(min.y, rows_), up(max.y, rows_)) == 0;
 }
 
 bool Occupancy::has_free(int columns, int rows) const {
     if (columns <= 0 || rows <= 0) return true;
-    std::vector<int> above(static_cast<std::size_t>(columns_), 0);  // free cells above, by column
-    for (int y = 0; y < rows_; ++y) {
-        const char* const row = cells_.data() + index(0, y);
-        int side_by_side = 0;
-        for (int x = 0; x < columns_; ++x) {
-            int& free = above[static_cast<std::size_t>(x)];
-            free = row[x] != 0 ? 0 : free + 1;
-            side_by_side = free >= rows ? side_by_side + 1 : 0;
-            if (side_by_side >= columns) return true;
-        }
-    }
+    for (int y = 0; y + rows <= rows_; ++y)
+        for (int x = 0; x + columns <= columns_; ++x)
+            if (inked_in(x, x + columns, y, y + rows) == 0) return true;
     return false;
-}
-
-FreeBoxes::FreeBoxes(const Occupancy& page)
-    : columns_(page.columns_),
-      rows_(page.rows_),
-      inked_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0) {
-    const auto width = static_cast<std::size_t>(columns_) + 1;
-    for (std::size_t y = 1; y <= static_cast<std::size_t>(rows_); ++y) {
-        int in_row = 0;
-        for (std::size_t x = 1; x < width; ++x) {
-            in_row += page.cells_[(y - 1) * (width - 1) + x - 1];
-            inked_[y * width + x] = inked_[(y - 1) * width + x] + in_row;
-        }
-    }
-}
-bool FreeBoxes::has(const Box& box) const {
-    // std::floor and std::ceil without a function call, for non-negative values; anything else gives 0.
-    const auto cell = [](int at, int most) { return static_cast<std::size_t>(std::clamp(at, 0, most)); };
-    const auto down = [](double at) { return static_cast<int>(at); };
-    const auto up = [](double at) { return static_cast<int>(at) + (static_cast<int>(at) < at ? 1 : 0); };
-    const std::size_t left = cell(down(box.min.x), columns_), right = cell(up(box.max.x), columns_);
-    const std::size_t top = cell(down(box.min.y), rows_), bottom = cell(up(box.max.y), rows_);
-    const auto width = static_cast<std::size_t>(columns_) + 1;
-    return inked_[bottom * width + right] - inked_[top * width + right] ==
-           inked_[bottom * width + left] - inked_[top * width + left];
 }
 
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "render/page/page.hpp"
@@ -11,37 +10,22 @@ namespace kinegraph::render {
 
 constexpr double clear = 3.5;  ///< kept free round everything that text is set beside, mm
 
-/// Grid of inked cells of a page, 1 mm each.
+/// Which cells of an area are inked, 1 mm each, as a summed-area table: what is free is told in constant time.
 class Occupancy {
 public:
-    Occupancy(double width, double height);
-    void block(const Box& box);
-    void block(const std::vector<Spot>& spots);
-    /// The longest run of free rows over the columns [left, right], within [top, bottom], with `clear` kept on all
-    /// sides.
-    std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
+    /// `inked`: spots, of which those outside the area are ignored.
+    Occupancy(Spot origin, Spot size, const std::vector<Spot>& inked);
+    /// Whether no cell that the box touches is inked.
+    bool is_free(const Box& box) const;
     /// Whether a free rectangle of that size (mm) exists anywhere.
     bool has_free(int columns, int rows) const;
 
 private:
-    bool is_free(int row, int from, int to) const;
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
-    }
-    friend class FreeBoxes;
-    int columns_, rows_;
-    std::vector<char> cells_;
-};
+    int inked_in(int left, int right, int top, int bottom) const;
 
-/// Summed-area table of an Occupancy: tests in constant time whether a box is free.
-class FreeBoxes {
-public:
-    explicit FreeBoxes(const Occupancy& page);
-    bool has(const Box& box) const;
-
-private:
+    Spot origin_;
     int columns_, rows_;
-    std::vector<int> inked_;  // one row and one column more than the page has cells
+    std::vector<int> inked_;  // above and left of each corner of a cell
 };
 
 /// Spots that the marks cover, about one per millimetre; text and filled areas count as their boxes.
