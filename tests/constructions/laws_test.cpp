@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "constructions/solving/solve.hpp"
+#include "engine/board/board.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/results/results.hpp"
 #include "lang/keys/sentences.hpp"
