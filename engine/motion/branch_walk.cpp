@@ -50,6 +50,7 @@ bool step_by(NumericClosure& closure, std::size_t column, const State& from, dou
 void BranchWalk::start_at(const State& position) {
     for (State* state : {&here_, &before_, &next_, &regular_, &low_, &high_, &middle_}) *state = position;
     has_before_ = false;
+    sign_changes_.clear();
     closure_.set_places(here_.q);
 }
 
@@ -110,6 +111,9 @@ void BranchWalk::accept() {
 /// is a change point, which is recorded. If only the choice of leading rows caused the sign, nothing happens. False:
 /// the two positions are not on one branch.
 bool BranchWalk::pass(State& from, const State& to) {
+    // What was found once between the two is not sought again: a walk goes to and fro over the same positions.
+    const auto lies_between = [&](double each) { return (each - from.s) * (each - to.s) < 0; };
+    if (std::count_if(sign_changes_.begin(), sign_changes_.end(), lies_between) % 2 == 1) return true;
     low_ = from;
     high_ = to;
     double slack = 1;
@@ -130,13 +134,14 @@ bool BranchWalk::pass(State& from, const State& to) {
     }
     next_ = next;
     closure_.set_places(next_.q);
-    const bool vanishes = slack < 1e-5;
+    const double found = (low_.s + high_.s) / 2;
+    const bool vanishes = slack < 1e-5, is_on_branch = vanishes || !closure_.all_rows_lead();
+    if (is_on_branch) sign_changes_.push_back(found);
     if (vanishes) {
-        const double found = (low_.s + high_.s) / 2;
         const auto known = [&](double each) { return std::abs(each - found) < 1e-5 * longest_step_; };
         if (std::none_of(change_points_.begin(), change_points_.end(), known)) change_points_.push_back(found);
     }
-    return vanishes || !closure_.all_rows_lead();
+    return is_on_branch;
 }
 
 /// A position with a singular matrix: interpolated from two positions beside it.

@@ -56,6 +56,7 @@ private:
     bool has_before_ = false;
     std::optional<double> limit_;
     std::vector<double> change_points_;
+    std::vector<double> sign_changes_;  ///< of the determinant along the branch, as far as pass() has met them
 };
 
 }  // namespace kinegraph::closing
