@@ -46,7 +46,7 @@ public:
     Json as_json() const {
         Json json{{"name", bare_name(path_)}, {"text", nullptr}};
         if (!exists()) return json;
-        if (const auto text = read_whole(path_, {lang::common::mechanism_file}))
+        if (const auto text = content())
             json["text"] = *text;
         else
             json["fault"] = text.error().in(language_);
@@ -59,7 +59,8 @@ public:
             !request.contains("base"))
             return answer_of(400, {{"fault", "text and base are wanted"}});
         const Json now = as_json();
-        if (now.contains("fault") || now["text"] != request["base"]) return answer_of(409, now);
+        if (now.contains("fault")) return answer_of(500, {{"fault", now["fault"]}});
+        if (now["text"] != request["base"]) return answer_of(409, now);
         const auto failure = write_all({{path_, request["text"].get<std::string>()}});
         if (!failure) return answer_of(200, {{"saved", true}});
         const Words why(lang::command_line::cannot_be_written, failure->why);
@@ -74,6 +75,17 @@ public:
     }
 
 private:
+    /// Of a plain file alone, since reading a pipe would wait for who writes it.
+    tl::expected<std::string, Words> content() const {
+        struct stat status {};
+        if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+            return tl::unexpected(Words(lang::command_line::is_no_plain_file_which_could));
+        auto text = read_whole(path_, {lang::common::mechanism_file});
+        // Elsewhere each such byte would become U+FFFD, and be saved so.
+        if (text && !is_utf8(*text)) return tl::unexpected(Words(lang::command_line::this_is_no_utf_8_save));
+        return text;
+    }
+
     std::string path_;
     Language language_;
 };
@@ -149,6 +161,7 @@ Words why_not_edited(const std::string& file) {
 
 Status edit_command(const EditRequest& request) {
     const Language language = request.language;
+    if (request.file.empty()) return refuse({lang::command_line::edit_needs_a_file}, language);
     if (const Words why = why_not_edited(request.file); !why.empty()) {
         say(spoken(request.file), why, language);
         return Status::bad_input;

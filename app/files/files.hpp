@@ -15,6 +15,10 @@ namespace kinegraph::app {
 /// The size limit of an input file, bytes.
 constexpr std::size_t largest_input = std::size_t{64} << 20;
 
+/// The length of the first UTF-8 character, bytes; 0: invalid UTF-8.
+std::size_t character_length(std::string_view text);
+bool is_utf8(std::string_view text);
+
 /// Reads a whole file; `kind` ("mechanism file") is for messages. Error: why it cannot be read, in a few words.
 tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind);
 

@@ -1,6 +1,5 @@
 // Rosters: see roster.hpp.
 #include "app/files/roster.hpp"
-#include "lang/keys/command_line.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,26 +7,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "app/files/files.hpp"
+#include "lang/keys/command_line.hpp"
+
 namespace kinegraph::app {
 namespace {
 
 /// The longest name that a title block can print.
 constexpr std::size_t longest_name = 200;
-
-/// The length of the first UTF-8 character, bytes; 0: invalid UTF-8.
-std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80   ? 1
-                               : byte(0) < 0xC2 ? 0
-                               : byte(0) < 0xE0 ? 2
-                               : byte(0) < 0xF0 ? 3
-                               : byte(0) < 0xF5 ? 4
-                                                : 0;
-    if (length == 0 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0U) != 0x80U) return 0;
-    return length;
-}
 
 std::string trimmed(std::string text) {
     const auto blank = [](char c) { return c == ' '; };

@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "app/library/limits.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
@@ -61,8 +63,13 @@ tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kin
 }
 tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
     const bool turning = turns(mechanism, driver);
-    return quantity_of(text, turning ? QuantityKind::angle : QuantityKind::length,
-                       (turning ? mechanism.units.angle : mechanism.units.length).si);
+    auto coordinate = quantity_of(text, turning ? QuantityKind::angle : QuantityKind::length,
+                                  (turning ? mechanism.units.angle : mechanism.units.length).si);
+    // A mechanism is moved there step by step, so that it stays on its branch.
+    if (turning && coordinate && std::abs(coordinate->to_double()) > most_turns * 2 * std::numbers::pi)
+        return tl::unexpected(
+            Words(lang::library::is_more_than_turns_away, quoted(text), std::to_string(static_cast<int>(most_turns))));
+    return coordinate;
 }
 tl::expected<Exact, Words> time_of(const std::string& text) { return quantity_of(text, QuantityKind::time, 1); }
 

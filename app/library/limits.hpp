@@ -16,6 +16,8 @@ constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_bodies_with_centres = 250;
 /// Bodies of a mechanism whose positions are found one after another: in each, closing and checking it takes the cube.
 constexpr std::size_t most_swept_bodies = 40;
+/// Turns of a driver from the drawn position: the mechanism is moved there step by step.
+constexpr double most_turns = 1000;
 
 /// Why a file is not solved, with the limit and a remedy; none if it is.
 std::optional<Error> beyond_solving(const Mechanism& mechanism);

@@ -258,7 +258,9 @@ private:
         request_.with.clear();
         if (!value.is_array()) return wrong(value, {lang::library::an_array_of_figures});
         for (const JsonValue each : value)
-            choice<std::string>(each, {{"joukowsky", "joukowsky"}}, request_.with.emplace_back());
+            choice<std::string>(
+                each, {{"joukowsky", "joukowsky"}, {"equations", "equations"}, {"virtual work", "virtual work"}},
+                request_.with.emplace_back());
     }
     void read_branch(JsonValue value) {
         double branch = 1;

@@ -182,7 +182,11 @@ Expected<std::string> Drawing::png(std::size_t page, double dpi) const {
     if (page >= state().pages.size() || !(dpi >= least && dpi <= most))
         return refused(Diagnostic::Kind::bad_input,
                        Words(lang::library::a_page_from_0, std::to_string(state().pages.size() - 1)));
-    return painted([&](const render::Fonts& fonts) { return render::to_png(state().pages[page], fonts, dpi); });
+    try {
+        return painted([&](const render::Fonts& fonts) { return render::to_png(state().pages[page], fonts, dpi); });
+    } catch (const std::bad_alloc&) {
+        return refused(Diagnostic::Kind::output, {lang::library::memory_does_not_hold_the_picture});
+    }
 }
 
 Expected<std::string> Drawing::pdf(Lettering lettering) const {

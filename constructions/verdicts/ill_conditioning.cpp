@@ -216,7 +216,8 @@ public:
                 const bool holds = !replay_.run();
                 for (std::size_t i = 0; i < turning_.size() && holds; ++i) {
                     const double share = std::abs(omega_of(turning_[i]) / before[i] - 1) * size / step;
-                    if (share > worst.share) worst = {share, turning_[i], PointIndex(moving.index)};
+                    if (std::isfinite(share) && share > worst.share)
+                        worst = {share, turning_[i], PointIndex(moving.index)};
                 }
             }
             replay_.give(static_cast<int>(given), to_double(givens_[given]));

@@ -138,7 +138,15 @@ private:
         return length;
     }
     Syntax quoted_name() {
-        const std::size_t from = at_, end = text_.find('\'', from);
+        // A quote that neither ends the text nor stands before a sign belongs to the name: 'v B''.
+        const auto closes = [&](std::size_t quote) {
+            const std::size_t next = text_.find_first_not_of(" \t", quote + 1);
+            return next == std::string_view::npos ||
+                   std::string_view("+-*/^)|,=").find(text_[next]) != std::string_view::npos;
+        };
+        const std::size_t from = at_;
+        std::size_t end = text_.find('\'', from);
+        while (end != std::string_view::npos && !closes(end)) end = text_.find('\'', end + 1);
         if (end == std::string_view::npos) return fault(Fault::quote_open);
         at_ = end + 1;
         return node(Kind::name, from, text_.substr(from, end - from));

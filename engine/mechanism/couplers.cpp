@@ -101,7 +101,10 @@ double transmission_angle(const VectorOf<double>& a, const VectorOf<double>& b, 
                           const VectorOf<double>& along) {
     const VectorOf<double> rod = b - a;
     const VectorOf<double> link = along.x == 0 && along.y == 0 ? foot - b : quarter_turn(along);
-    return nearest::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
+    // Of directions that are parallel within the data the rounding of their coordinates is left.
+    constexpr double noise = 1e-15;
+    const double across = std::abs(cross(rod, link)), along_both = std::abs(dot(rod, link));
+    return across <= noise * along_both ? 0 : nearest::atan2(across, along_both);
 }
 
 }  // namespace kinegraph

@@ -26,6 +26,8 @@ namespace {
 using Node = ResultExpression::Node;
 
 constexpr std::string_view signs_of_grammar = "+-*/^()|,'=<>\"";
+/// An apostrophe within a name is part of it: v B'.
+constexpr std::string_view signs_that_end_a_name = "+-*/^()|,=<>\"";
 
 std::string_view without_blanks(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
@@ -91,21 +93,34 @@ public:
         return of(syntax);
     }
     std::vector<Column> parts() && { return std::move(parts_); }
+    /// The value with that name, whatever signs it contains; the length of a vector. None: nothing is named so.
+    std::optional<Read> named(std::string_view name) {
+        if (is_vector_named(name)) {
+            Read vector = result(name);
+            if (!vector) return vector;
+            Node length{.kind = Node::Kind::function, .text = "abs"};
+            length.parts.push_back(std::move(vector->node));
+            return Typed{std::move(length), ValueKind{.dimension = vector->kind.dimension}};
+        }
+        const auto is_it = [&](const Column& column) { return column.name == name && !is_vector(column); };
+        if (std::none_of(known_.begin(), known_.end(), is_it)) return std::nullopt;
+        return result(name);
+    }
+
+private:
     bool is_vector_named(std::string_view name) const {
         return std::any_of(known_.begin(), known_.end(), [&](const Column& column) {
             return result_kind(column.quantity).shape == ResultKind::Shape::vector &&
                    vector_of_component(column) == name;
         });
     }
-
-private:
     /// A function, or all that stands before the next sign; a name of a result where it ends before.
     static std::size_t name_length(std::string_view rest) {
         const std::size_t word = word_length(rest);
         if (word == 0) return 0;
         const std::string_view behind = without_blanks(rest.substr(word));
         if (behind.starts_with('(')) return word;
-        return without_blanks(rest.substr(0, rest.find_first_of(signs_of_grammar))).size();
+        return without_blanks(rest.substr(0, rest.find_first_of(signs_that_end_a_name))).size();
     }
 
     Read of(const Syntax& syntax) {
@@ -441,7 +456,12 @@ std::string with_raised_digits(const std::string& unit) {
 }  // namespace
 
 tl::expected<ResultExpression, Words> ResultExpression::read(std::string_view text, std::span<const Column> known) {
-    const NamedExpression named = named_expression(text);
+    ExpressionReader reader(known);
+    const std::string_view whole = without_blanks(text);
+    std::optional<Read> alone = reader.named(whole);
+    const NamedExpression named = alone ? NamedExpression{whole, whole} : named_expression(text);
+    if (!alone && named.text.size() > 2 && named.text.starts_with('\'') && named.text.ends_with('\''))
+        alone = reader.named(named.text.substr(1, named.text.size() - 2));
     const auto is_taken = [&](const Column& column) { return column.name == named.name; };
     if (named.name != named.text) {
         if (named.name.empty() || named.name.find_first_of(signs_of_grammar) != std::string_view::npos)
@@ -449,10 +469,8 @@ tl::expected<ResultExpression, Words> ResultExpression::read(std::string_view te
         if (std::any_of(known.begin(), known.end(), is_taken))
             return refused({lang::expressions::is_the_name_of_a_result, quoted(named.name)});
     }
-    ExpressionReader reader(known);
-    // The name of a vector alone is its length.
-    auto read = reader.is_vector_named(named.text) ? reader.read("|'" + std::string(named.text) + "'|")
-                                                   : reader.read(named.text);
+    if (!alone) alone = reader.named(named.text);
+    Read read = alone ? std::move(*alone) : reader.read(named.text);
     if (!read) return refused(std::move(read.error()));
     if (read->kind.is_vector) return refused({lang::expressions::a_vector_has_no_value, std::string(named.text)});
     ResultExpression expression;
@@ -485,8 +503,13 @@ std::optional<ValueWithin> ResultExpression::value(std::span<const ValueWithin> 
 bool is_expression(std::string_view text) { return text.find_first_of(signs_of_grammar) != std::string_view::npos; }
 
 NamedExpression named_expression(std::string_view text) {
-    const std::size_t sign = text.find('=');
-    if (sign == std::string_view::npos) return {without_blanks(text), without_blanks(text)};
+    bool in_quotes = false;
+    const auto names = [&](char c) {
+        in_quotes = in_quotes != (c == '\'');
+        return c == '=' && !in_quotes;
+    };
+    const auto sign = static_cast<std::size_t>(std::find_if(text.begin(), text.end(), names) - text.begin());
+    if (sign == text.size()) return {without_blanks(text), without_blanks(text)};
     return {without_blanks(text.substr(0, sign)), without_blanks(text.substr(sign + 1))};
 }
 

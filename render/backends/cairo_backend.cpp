@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -157,7 +158,8 @@ PictureSize size_at(const Page& page, double dpi) {
 Owned<cairo_surface_t> drawn(const Page& page, const Glyphs& glyphs, const PictureSize& size) {
     Owned<cairo_surface_t> surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
     const Owned<cairo_t> cr{cairo_create(surface.get())};
-    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
+    if (cairo_status(cr.get()) == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "cairo draws on it");
     cairo_scale(cr.get(), size.scale, size.scale);
     draw(cr.get(), page, [&](const TextMark& text) {
         cairo_set_tolerance(cr.get(), type_tolerance);

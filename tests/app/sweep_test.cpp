@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/command_line.hpp"
+#include "tests/support/scissor_lift.hpp"
 
 namespace kinegraph::tests::sweep_test {
 namespace {
@@ -447,6 +448,51 @@ TEST_F(Sweep, StrokesRatiosAndMeansAreTheSameForAnySteps) {
         }
     }
     EXPECT_GT(facts, 40);
+}
+
+TEST_F(Sweep, NamesWithSignsOfTheGrammarAreColumns) {
+    // By the name alone, within an expression, and between quotes: the same column.
+    for (const std::string name : {"B'", "B''", "1+1", "a=b", "p|q"}) {
+        SCOPED_TRACE(name);
+        std::string file = contents(example_file("four_bar"));
+        for (std::size_t at = 0; (at = file.find("\"B\"", at)) != std::string::npos; ++at)
+            file.replace(at, 3, "\"" + name + "\"");
+        write("named.json", file);
+        const auto column = [&](const std::string& text) {
+            const Outcome outcome = run("sweep named.json --steps 4 --columns \"" + text + "\"");
+            EXPECT_EQ(outcome.status, 0) << text << ": " << outcome.err;
+            return outcome.out.substr(outcome.out.find('\n'));
+        };
+        const std::string wanted = column("v " + name);
+        EXPECT_EQ(column("'v " + name + "'"), wanted);
+        EXPECT_EQ(column("|'v " + name + "'|"), wanted);
+        EXPECT_EQ(column("r = 1*|'v " + name + "'|"), wanted);
+    }
+    EXPECT_EQ(run("sweep named.json --columns \"a = b = omega 2\"").status, 2);
+}
+
+TEST_F(Sweep, ATurnBeyondTheLimitIsRefusedAtOnce) {
+    write("four_bar.json", contents(example_file("four_bar")));
+    for (const std::string options : {"solve four_bar.json --at 1e9°", "sweep four_bar.json --from 1e59° --to 1.1e59°",
+                                      "sweep four_bar.json --to -360001°"}) {
+        const Outcome outcome = run(options);
+        EXPECT_EQ(outcome.status, 2) << options;
+        EXPECT_NE(outcome.err.find("more than 1000 turns away"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(run("solve four_bar.json --at 36000°").status, 0);
+}
+
+TEST_F(Sweep, TheStrokeOfASlideThatIsDrivenIsItsTravel) {
+    // Flat at the one limit and closed at the other, upright in between, where the foot's branch changes.
+    for (const int stages : {1, 4, 9}) {
+        SCOPED_TRACE(stages);
+        Json lift = scissor(stages);
+        lift["drivers"] = {{{"joint", "R0"}, {"speed", -0.01}}};
+        lift.erase("find");
+        write("lift.json", lift.dump());
+        ASSERT_NE(run("sweep lift.json -o lift.svg").status, 2);
+        EXPECT_NE(contents(folder_ / "lift.svg").find("stroke  s_R0: 1000 mm"), std::string::npos);
+    }
 }
 
 TEST_F(Sweep, PolesOverAParameterAreFoundBetweenTheRowsAndOnThem) {
