@@ -50,7 +50,7 @@ void SheetPlan::enlarge_figures() {
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
         const Band& band = bands_.list[placed.band];
         const Box& room = placed.room;
-        constexpr double half = 0.5;
+        constexpr double half = 0.4;
         const bool is_white = now_.layouts[placed.band].taken_in(placed.width, room.height(), placed.notch) <
                               half * room.width() * room.height();
         for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
