@@ -16,6 +16,7 @@ namespace {
 constexpr double rounding = 1e-9;
 constexpr double nothing = 1e-20;           // an extent that is that of a point
 constexpr double largest_of_scaled = 130;   // mm; a figure gains nothing from a larger size
+constexpr double not_small = 24;            // mm; lengths can be read to half a percent
 constexpr double readable_of_forces = 25;   // mm; a smaller force polygon is drawn at a finer scale than the others …
 constexpr double own_scale_of_forces = 60;  // … at which it is not larger than this
 
@@ -203,8 +204,8 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& w
     std::vector<Measure> all;
     if (wanted.asked) all.push_back({*wanted.asked, page(), {0, wanted.asked}});
     const double largest = range == Range::up_to_page ? page().x : std::min(largest_of_scaled, wanted.enough);
-    const double least =
-        std::max(range == Range::crowded ? std::min(wanted.least, hardly_readable) : wanted.least, hardly_readable);
+    const double smallest = range == Range::crowded || range == Range::small ? hardly_readable : not_small;
+    const double least = std::max(range == Range::crowded ? 0 : wanted.least, smallest);
     double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
                                 std::min(page().y, largest), std::nullopt);
     for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least); first = false) {

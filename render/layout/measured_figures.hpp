@@ -26,8 +26,8 @@ public:
                     const std::optional<KeptScales>& kept)
         : context_(context), wanted_(wanted), format_(format), kept_(kept), drawings_(wanted.list.size()) {}
 
-    /// The sizes that are measured: down to one that can hardly be read, or up to the page.
-    enum class Range : std::uint8_t { usual, crowded, up_to_page };
+    /// The sizes that are measured: down to a small one, to one that can hardly be read, or up to the page.
+    enum class Range : std::uint8_t { usual, small, crowded, up_to_page };
     /// The sizes of a figure (index into WantedFigures::list), the highest score first. `force_scale`: the common scale
     /// of force polygons.
     const std::vector<FigureSize>& sizes(std::size_t figure, std::optional<double> force_scale, Range range);

@@ -20,15 +20,15 @@ void SheetPlan::make() {
     find_pages();
     enlarge_figures();
     for (const double larger : larger_text)
-        if (may_enlarge_text_ && enlarge_text(larger * format_.text_size)) break;
+        if (may_enlarge_text_ && may_hold_text(larger) && enlarge_text(larger * format_.text_size)) break;
 }
 
-std::unique_ptr<BandTexts> SheetPlan::texts_of(double size) const {
-    return std::make_unique<BandTexts>(bands_, bands_.results(), format_, size);
+std::shared_ptr<BandTexts> SheetPlan::texts_of(double size) const {
+    return std::make_shared<BandTexts>(bands_, bands_.results(), format_, size);
 }
 
 /// Plans anew, with no figure at a coarser scale. Keeps the plan before, and returns false, if it has fewer pages.
-bool SheetPlan::improves(std::unique_ptr<BandTexts> texts) {
+bool SheetPlan::improves(std::shared_ptr<BandTexts> texts) {
     not_coarser_ = scales();
     Planned before = std::exchange(now_, {std::move(texts)});
     plan_all();
@@ -38,10 +38,30 @@ bool SheetPlan::improves(std::unique_ptr<BandTexts> texts) {
     return good;
 }
 
+/// Whether each page has area enough for its figures and a larger text: a bound that is quick to compute.
+bool SheetPlan::may_hold_text(double larger) const {
+    constexpr double packed = 0.85;  // of a page, about the most that plans reach
+    for (const PlannedPage& page : now_.pages) {
+        const Box content = content_of(format_, &page == &now_.pages.front());
+        double taken = 0;
+        for (const PlannedRow& row : page)
+            for (const PlannedCell& cell : row)
+                for (const PlacedBand& placed : cell) {
+                    const BandLayout layout = layout_of(placed);
+                    for (const FigureSize& size : layout.sizes) taken += size.x * size.y;
+                    if (layout.divided == 0) continue;
+                    const ColumnText& text = layouts(placed.band).text(layout.divided, layout.cornered);
+                    taken += larger * larger * text.measure() * text.whole_height();
+                }
+        if (taken > packed * content.width() * content.height()) return false;
+    }
+    return true;
+}
+
 bool SheetPlan::enlarge_text(double size) {
-    std::unique_ptr<BandTexts> texts = texts_of(size);
+    const std::shared_ptr<BandTexts> texts = texts_of(size);
     const auto is_too_wide = [&](const Band& band) { return texts->has_too_wide(band, format_.columns, false); };
-    return std::none_of(bands_.list.begin(), bands_.list.end(), is_too_wide) && improves(std::move(texts));
+    return std::none_of(bands_.list.begin(), bands_.list.end(), is_too_wide) && improves(texts);
 }
 
 /// Figures that have their largest size may be larger where their bands have room for the next scale.
@@ -65,11 +85,11 @@ void SheetPlan::enlarge_figures() {
                 large_.insert(band.question);
         }
     });
-    if (!large_.empty() && !improves(texts_of(format_.text_size))) large_.clear();
+    if (!large_.empty() && !improves(now_.texts)) large_.clear();
     const std::optional<double> finer = measured_.finer_force_scale(), before = force_scale_;
     if (!finer || before != measured_.force_scales().front()) return;
     force_scale_ = finer;
-    if (!improves(texts_of(format_.text_size))) force_scale_ = before;
+    if (!improves(now_.texts)) force_scale_ = before;
 }
 
 bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
@@ -77,11 +97,34 @@ bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
     return std::exchange(may_enlarge_text_, false);
 }
 
+/// Figures are small only where that saves a page.
 void SheetPlan::find_pages() {
-    if (finds_pages()) return;
-    give_each_a_page();
+    small_ = false;
     const bool found = finds_pages();
-    KG_ASSERT(found, "each band has a page");
+    if (found && (now_.pages.size() == 1 || !may_be_small())) return;
+    const std::optional<double> force_scale = force_scale_;
+    Planned before = std::exchange(now_, {now_.texts});
+    small_ = true;
+    if (finds_pages() && (!found || now_.pages.size() < before.pages.size())) return;
+    if (found) {
+        small_ = false;
+        now_ = std::move(before);
+        force_scale_ = force_scale;
+        return;
+    }
+    give_each_a_page();
+    const bool divided = finds_pages();
+    KG_ASSERT(divided, "each band has a page");
+}
+
+bool SheetPlan::may_be_small() {
+    using Range = MeasuredFigures::Range;
+    for (const Band& band : bands_.list)
+        for (const std::size_t figure : band.figures)
+            if (measured_.sizes(figure, force_scale_, Range::small).size() !=
+                measured_.sizes(figure, force_scale_, Range::usual).size())
+                return true;
+    return false;
 }
 
 /// Plans at each common scale of forces, and keeps the best plan. False if there is none.
@@ -203,6 +246,7 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
     using Range = MeasuredFigures::Range;
     const Range range = crowded_.contains(band.question) ? Range::crowded
                         : large_.contains(band.question) ? Range::up_to_page
+                        : small_                         ? Range::small
                                                          : Range::usual;
     std::vector<std::vector<FigureSize>> sizes;
     for (const std::size_t figure : band.figures) {

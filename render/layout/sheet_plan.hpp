@@ -45,17 +45,19 @@ public:
 
 private:
     struct Planned {
-        std::unique_ptr<BandTexts> texts{};
+        std::shared_ptr<BandTexts> texts{};
         std::vector<BandLayouts> layouts{};
         std::vector<PlannedPage> pages{};
         double score = BandLayout::impossible;
     };
     void find_pages();
     bool finds_pages();
-    std::unique_ptr<BandTexts> texts_of(double size) const;
-    bool improves(std::unique_ptr<BandTexts> texts);
+    bool may_be_small();
+    std::shared_ptr<BandTexts> texts_of(double size) const;
+    bool improves(std::shared_ptr<BandTexts> texts);
     void enlarge_figures();
     bool enlarge_text(double size);
+    bool may_hold_text(double larger) const;
     void plan_all();
     void give_each_a_page();
     double score_of(std::size_t index, std::size_t end_row);
@@ -70,6 +72,7 @@ private:
     Bands& bands_;
     const SheetFormat& format_;
     bool may_enlarge_text_ = true;
+    bool small_ = false;                     // whether figures may be small
     std::set<std::string> large_;            // bands whose figures may be as large as a page
     std::optional<KeptScales> not_coarser_;  // the scales that figures have at least
     std::set<std::string> crowded_;          // bands whose figures may be hard to read
