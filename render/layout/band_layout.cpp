@@ -170,7 +170,9 @@ double BandLayouts::price_of_white(const Arrangement& layout, const Best& best, 
             // The figures stand in the middle of this height.
             sum += price(columns, figures.y - text) + 2 * price(left, 0.5 * (text - figures.y));
         } else {
-            high += text_gap + words.height(layout.columns);
+            const double text = words.height(layout.columns);
+            high += text_gap + text;
+            sum += price(left - layout.columns * (words.measure() + gap), text);
         }
     }
     const double beside_figures = layout.beside && layout.under == 0 ? high : figures.y;

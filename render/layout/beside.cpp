@@ -32,7 +32,7 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
     // Prefers positions of the figure near the middle and near its caption.
     const auto sets = [&](std::initializer_list<double> lows) {
         for (const double down : {0.0, 0.5, 1.0})
-            for (const double aside : {0.5, 0.75, 1.0})
+            for (const double aside : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0})
                 for (const double low : lows)
                     for (const bool right : {false, true}) {
                         const double across = right ? 1 - aside : aside, top = room.min.y + down * spare_y;

@@ -1,4 +1,4 @@
-// A plan for each common scale of force polygons; then bands that no page can hold are divided.
+// A plan for each common scale of force polygons; bands that no page can hold are divided; what has room grows.
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
