@@ -21,11 +21,11 @@ fetch_sources() {
     mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[.*\] \)\{0,1\}\([a-z]*:[^ ]*\) .* main.*/\2/p' \
         /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | head -n 1)
     [ -n "$mirror" ] || { say "apt's sources name no mirror of Debian, from which source packages could come"; return 1; }
-    printf 'deb-src %s %s main\n' "$mirror" "$release" >"$cache/apt/sources.list"
+    printf 'deb-src %s %s main\n' "$mirror" "$release" >"$cache/debian.list" # not in apt's folder, which apt clears
     apt_sources update -q && (cd "$sources" && apt_sources source -q "$@")
 }
 apt_sources() {
-    apt-get -o "Dir::Etc::sourcelist=$cache/apt/sources.list" -o Dir::Etc::sourceparts=/dev/null \
+    apt-get -o "Dir::Etc::sourcelist=$cache/debian.list" -o Dir::Etc::sourceparts=/dev/null \
         -o "Dir::State::lists=$cache/apt" -o APT::Sandbox::User=root "$@" </dev/null >&2
 }
 # source_of PACKAGE: the folder it was unpacked into.
@@ -125,15 +125,23 @@ link_headers() {
     done
 }
 
-# build_libraries: all of the above, each once.
+# build_each LIBRARY…: those that were not compiled before.
+build_each() {
+    for each in "$@"; do
+        [ ! -e "$prefix/lib/lib$each.a" ] || continue
+        say "compiling $each"
+        "build_$each" || return 1
+    done
+}
+
+# build_libraries: all of the above, each once. HarfBuzz is one large file: the others are compiled beside it.
 build_libraries() {
     mkdir -p "$objects" "$prefix/include" "$prefix/lib"
     # shellcheck disable=SC2086
     [ -e "$sources/fetched" ] || { fetch_sources $debian_sources && touch "$sources/fetched"; } || return 1
     link_headers
-    for library in gmp mpfr nettle harfbuzz pugixml; do
-        [ ! -e "$prefix/lib/lib$library.a" ] || continue
-        say "compiling $library"
-        "build_$library" || return 1
-    done
+    build_each harfbuzz pugixml &
+    large=$!
+    build_each gmp mpfr nettle || { wait "$large"; return 1; }
+    wait "$large"
 }
