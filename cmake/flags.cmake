@@ -6,7 +6,9 @@ if(PROJECT_IS_TOP_LEVEL)
     # -O2 takes 1.4 times as long to compile and makes no command faster by more than a twentieth: the time goes into
     # GMP and into allocation.
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
-    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    if(KINEGRAPH_WEB)
+        set(CMAKE_CXX_FLAGS_RELEASE "-Os -DNDEBUG")  # the module is sent to each visitor
+    elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         # A compiler that collects its garbage less often is faster by a tenth, for a quarter more memory.
         string(APPEND CMAKE_CXX_FLAGS_RELEASE " --param ggc-min-expand=200 --param ggc-min-heapsize=500000")
     endif()

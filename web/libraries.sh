@@ -48,7 +48,8 @@ archive_c() {
 }
 
 # GMP by its configure script, which finds out little here, and files in C only. Limbs of 64 bits, as on the machines
-# that the native program runs on: WebAssembly multiplies them as fast, and long is not a limb.
+# that the native program runs on: WebAssembly multiplies them as fast, and long is not a limb. configure looks for the
+# format of doubles in the code of an object file, and does not find it in WebAssembly's.
 build_gmp() {
     gmp=$(source_of gmp)
     mkdir -p "$objects/gmp-tables" "$gmp/doc"
@@ -58,7 +59,8 @@ build_gmp() {
         cd "$objects/gmp-tables" &&
             printf '#!/bin/sh\nexec clang-14 %s -nostdlib -Wl,--no-entry -Qunused-arguments "$@"\n' "$compile" >cc &&
             chmod +x cc &&
-            logged gmp "$gmp/configure" CC="$PWD/cc" CC_FOR_BUILD=cc AR=llvm-ar-14 NM=llvm-nm-14 RANLIB=llvm-ranlib-14 \
+            logged gmp env "gmp_cv_c_double_format=IEEE little endian" "$gmp/configure" CC="$PWD/cc" \
+                CC_FOR_BUILD=cc AR=llvm-ar-14 NM=llvm-nm-14 RANLIB=llvm-ranlib-14 \
                 --host=none --build="$(cc -dumpmachine)" --disable-assembly --disable-shared &&
             logged gmp make fac_table.h fib_table.h mpn/fib_table.c mp_bases.h mpn/mp_bases.c \
                 trialdivtab.h mpn/jacobitab.h mpn/perfsqr.h &&
@@ -98,10 +100,16 @@ archive_cxx() {
     clang++-14 -w $compile_cxx -std=c++17 "$@" -c "$file" -o "$objects/$library.o" &&
         rm -f "$prefix/lib/lib$library.a" && llvm-ar-14 rcs "$prefix/lib/lib$library.a" "$objects/$library.o"
 }
+# HarfBuzz without what STIX and the program's calls of it do not need: it is a seventh of the code otherwise.
 build_harfbuzz() {
     harfbuzz=$(source_of harfbuzz)
+    left_out="AAT BITMAP BUFFER_MESSAGE BUFFER_SERIALIZE BUFFER_VERIFY COLOR ERRNO FACE_COLLECT_UNICODES GETENV \
+        LANGUAGE_PRIVATE_SUBTAG LAYOUT_COLLECT_GLYPHS LAYOUT_FEATURE_PARAMS META METRICS MMAP MT OPEN \
+        OT_FONT_GLYPH_NAMES OT_LAYOUT_LOOKUP_CACHE SETLOCALE STYLE VAR"
+    # shellcheck disable=SC2046,SC2086
     cp "$harfbuzz"/src/hb*.h "$prefix/include" &&
-        archive_cxx harfbuzz "$harfbuzz/src/harfbuzz-subset.cc" -fno-exceptions -fno-rtti -DHB_NO_MT
+        archive_cxx harfbuzz "$harfbuzz/src/harfbuzz-subset.cc" -Os -fno-exceptions -fno-rtti -DHB_NDEBUG \
+            -DHB_OPTIMIZE_SIZE $(printf -- '-DHB_NO_%s ' $left_out)
 }
 build_pugixml() {
     pugixml=$(source_of pugixml)

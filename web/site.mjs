@@ -56,11 +56,14 @@ const examples = below(join(top, 'examples'))
     .map((path) => `examples/${path}`);
 /** @type {{path: string, title: any}[]} */
 const listed = [];
+/** Sections that only the program solves (docs/web.md): such a file is not offered. */
+const ofTheProgram = ['motion', 'cam'];
 for (const path of examples) {
-    const text = readFileSync(join(top, path), 'utf8'), {title} = JSON.parse(text);
+    const text = readFileSync(join(top, path), 'utf8'), file = JSON.parse(text);
+    if (!file.kinegraph || ofTheProgram.some((section) => section in file)) continue;
     mkdirSync(dirname(join(site, path)), {recursive: true});
     writeFileSync(join(site, path), text);
-    if (JSON.parse(text).kinegraph) listed.push({path, title: title ?? ''});
+    listed.push({path, title: file.title ?? ''});
 }
 writeFileSync(join(site, 'examples.json'), JSON.stringify(listed));
 

@@ -1,5 +1,6 @@
 // The back ends of the library that the module for the browser replaces: the browser itself draws PNG and prints PDF,
-// no page asks for archives, and the fonts are part of the module. app/late/back_ends.cpp is the program's counterpart.
+// no page asks for archives or derivatives, and the fonts are part of the module. app/late/back_ends.cpp is the
+// program's counterpart.
 #include "engine/file/algebra.hpp"
 #include "engine/number/assert.hpp"
 #include "lang/keys/library.hpp"
@@ -29,7 +30,7 @@ tl::expected<std::string, Words> render::packed(const std::vector<Packed>& /*fil
 }
 
 tl::expected<Expression, Error> derivative(const Expression& /*of*/, const NamedConstants& /*constants*/) {
-    return tl::unexpected(Error{ErrorCode::output, "", Words(lang::library::by_the_program)});
+    return tl::unexpected(Error{ErrorCode::output, "", Words(lang::library::motion_by_the_program)});
 }
 
 tl::expected<render::Typefaces, Words> render::open_typefaces() {

@@ -48,7 +48,8 @@ class Engine {
 export function open() {
     document.documentElement.lang =
         navigator.languages.map((each) => each.slice(0, 2)).find((each) => languages.includes(each)) ?? 'en';
-    if ('serviceWorker' in navigator) void navigator.serviceWorker.register('offline.js');
+    // Where it is refused (a private window, say) the site needs the network.
+    if ('serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});
     const engine = new Engine();
     return {answer: (request) => engine.answer(request), file: async () => null, save: null};
 }

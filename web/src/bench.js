@@ -57,7 +57,7 @@ export class Bench {
     }
     /** @param {string | null | undefined} selection */
     onText(selection) {
-        if (this.document.lastJson) this.model = new Model(this.document.lastJson);
+        this.model = new Model(this.document.lastJson);
         if (selection !== undefined) this.selection = selection;
         if (this.selection !== null && !this.selected()) this.selection = null;
         this.inquiry.ask();

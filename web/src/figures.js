@@ -28,6 +28,12 @@ export class Figures {
          */
         this.shown = {};
         bench.on(['answer'], () => this.show());
+        bench.on(['file'], () => bench.answer ?? this.clear());
+    }
+    /** Another file was opened. */
+    clear() {
+        this.shown = {};
+        this.root.replaceChildren();
     }
     show() {
         const {answer} = this.bench;

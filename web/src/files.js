@@ -1,4 +1,5 @@
 // Open, save, new, drop a file, a link: what the file is, and that nothing is lost unasked.
+import {fileAsked} from './address.js';
 import {emptyFile} from './bench.js';
 import {byId, download, html} from './dom.js';
 import {fragmentOf, isLink, textOf} from './link.js';
@@ -29,9 +30,9 @@ export class Files {
         window.addEventListener('hashchange', () => void this.openLink());
         bench.on(['file'], () => this.showName());
     }
-    /** What the page begins with: the link's mechanism, the served file, or a new one. */
+    /** What the page begins with: the address's mechanism, the served file, or a new one. */
     async begin() {
-        if (await this.openLink()) return;
+        if (await this.openLink() || await this.openAsked()) return;
         const file = await this.bench.engine.file();
         if (file?.fault) this.say(file.fault);
         this.isServed = Boolean(file);
@@ -49,6 +50,19 @@ export class Files {
         if (!await this.mayLose()) return true;
         this.isServed = false;
         this.bench.open(text, 'mechanism.json', text);
+        return true;
+    }
+    /** The address names a file of this server: opens it. */
+    async openAsked() {
+        const file = fileAsked();
+        if (!file) return false;
+        const response = await fetch(file.address).catch(() => null), text = response?.ok ? await response.text() : '';
+        if (text === '' || text.length > mostBytes) {
+            this.say(word('bad_link'));
+            return false;
+        }
+        this.isServed = false;
+        this.bench.open(text, file.name, text);
         return true;
     }
     /** Whether changes may be given up. */

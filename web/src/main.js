@@ -1,4 +1,5 @@
 // Starts the workbench: puts its parts together.
+import {modeAsked, showCompact} from './address.js';
 import {Bench} from './bench.js';
 import {Canvas} from './canvas.js';
 import {byId} from './dom.js';
@@ -71,13 +72,13 @@ async function start() {
     const {words} = await engine.answer({text: '', name: '', want: ['words'], options: {lang: inquiry.language}});
     setWords(words ?? {});
     dress(document);
-    const files = new Files(bench), gallery = new Gallery(bench, files);
+    showCompact();
+    const files = new Files(bench), gallery = new Gallery(bench, files), modes = new Modes(bench);
     new Toolbar(bench, root);
     new Inspector(bench);
     new TextView(bench);
     new Figures(bench);
     new Status(bench);
-    new Modes(bench);
     new Entry(bench, root);
     new Pointer(bench, root);
     new Menus(bench);
@@ -111,7 +112,7 @@ async function start() {
     drawWhenChanged(bench, root);
     await files.begin();
     bench.take(new SelectTool(bench));
-    bench.setMode('build');
+    bench.setMode(modeAsked(modes.names()));
     document.documentElement.dataset.ready = 'true';
     Object.assign(window, {workbench: bench});
 }

@@ -28,6 +28,9 @@ export class Modes {
         byId('modes').addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => this.onKey(event));
         bench.on(['mode'], () => void this.show());
     }
+    names() {
+        return this.buttons.map((each) => each.dataset.mode ?? '');
+    }
     /** @param {KeyboardEvent} event */
     onKey(event) {
         const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0, {length} = this.buttons;

@@ -94,5 +94,5 @@ console.log(
             .map(({path, ms}) => `${path} ${ms.toFixed(0)}`)
             .join(', ')
 );
-if (paths.length < 50 || compared < 3 * paths.length) throw new Error('too little was compared');
+if (paths.length < 100 || compared < 3 * paths.length) throw new Error('too little was compared');
 process.exit(differ.size === 0 ? 0 : 1);

@@ -26,6 +26,13 @@ before(async () => {
         const path = normalize(new URL(request.url, 'http://localhost').pathname),
             file = join(site, path.endsWith('/') ? `${path}index.html` : path);
         asked.push(path);
+        if (path === '/course.html') {
+            response.writeHead(200, {'Content-Type': 'text/html'});
+            return void response.end(
+                '<!DOCTYPE html><link rel="icon" href="data:,"><title>A course</title>' +
+                    '<iframe width="800" height="500" src="./?compact&file=examples/four_bar.json"></iframe>'
+            );
+        }
         try {
             const body = readFileSync(file);
             response.writeHead(200, {
@@ -33,7 +40,7 @@ before(async () => {
                 // A worker has the policy that it is sent with.
                 'Content-Security-Policy': path.endsWith('worker.js')
                     ? "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'"
-                    : "frame-ancestors 'none'"
+                    : "frame-ancestors 'self'"
             });
             response.end(body);
         } catch {
@@ -48,9 +55,9 @@ before(async () => {
     });
     context = await browser.newContext();
     page = await context.newPage();
-    page.on('console', (message) => messages.push(message.text()));
-    page.on('pageerror', (error) => messages.push(String(error)));
-    page.on('request', (request) => asked.push(request.url()));
+    context.on('console', (message) => messages.push(message.text()));
+    context.on('weberror', (error) => messages.push(String(error.error())));
+    context.on('request', (request) => asked.push(request.url()));
 });
 after(async () => {
     await browser.close();
@@ -59,9 +66,9 @@ after(async () => {
 });
 
 /** Waits for a truth in the page. (Its policy forbids the eval of playwright's own waiting.) */
-async function until(condition) {
+async function until(condition, where = page) {
     for (const end = performance.now() + 60_000; performance.now() < end;) {
-        if (await page.evaluate(condition)) return;
+        if (await where.evaluate(condition)) return;
         await new Promise((resolve) => setTimeout(resolve, 10));
     }
     throw new Error(`${condition} has not come`);
@@ -123,6 +130,39 @@ test('a file with faults has them named, and any text is answered', async () => 
     );
     for (const answer of answers) assert.equal(answer.failure, undefined);
     assert.ok(answers.slice(1).every(({faults}) => faults.length > 0));
+});
+test('what is opened takes the place of all that was there', async () => {
+    await page.evaluate(async () => {
+        const text = await (await fetch('examples/four_bar.json')).text();
+        workbench.open(text, 'four_bar.json', text);
+    });
+    await until(() => document.querySelector('#figures figure') !== null);
+    await page.evaluate(() => workbench.open('{"points": ', 'broken.json', null));
+    await until(() => (workbench.answer?.faults.length ?? 0) > 0);
+    assert.equal(await page.evaluate(() => workbench.model.points.length), 0);
+    assert.equal(await page.locator('#figures figure').count(), 0);
+    assert.match(await page.locator('#status').textContent(), /1, .*12/);
+});
+test('a link holds the whole mechanism', async () => {
+    const [text, fragment] = await page.evaluate(async () => {
+        const {fragmentOf} = await import('./link.js'), linked = await (await fetch('examples/exam_2001.json')).text();
+        return [linked, await fragmentOf(linked)];
+    });
+    const other = await context.newPage();
+    await other.goto(address + fragment);
+    await until(() => document.documentElement.dataset.ready === 'true', other);
+    assert.equal(await other.evaluate(() => workbench.document.text), text);
+    await other.close();
+});
+test('a page of others has a mechanism to move in a frame', async () => {
+    const course = await context.newPage();
+    await course.goto(`${address}course.html`);
+    const frame = course.frames()[1];
+    await until(() => document.querySelector('#shown iframe') !== null, frame);
+    assert.equal(await frame.evaluate(() => document.documentElement.dataset.mode), 'move');
+    assert.equal(await frame.locator('#acts').isVisible(), false);
+    assert.equal(await frame.locator('#edit-here').getAttribute('href'), `${address}?file=examples%2Ffour_bar.json`);
+    await course.close();
 });
 test('the policy allows what the page has, and no more', async () => {
     const policy = await page.evaluate(
