@@ -37,7 +37,8 @@ std::optional<std::string> decimal_text(const Exact& value) {
 }
 
 std::string Variation::value(std::uint64_t i) const {
-    return choices.empty() ? text_of(from + Exact::ratio(static_cast<long>(i), 1) * step) : choices[i];
+    return choices.empty() ? text_of(from + Exact::ratio(static_cast<long>(i), 1) * step)
+                           : choices[static_cast<std::size_t>(i)];
 }
 
 std::string Variation::text_of(const Exact& value) const {

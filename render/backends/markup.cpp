@@ -22,7 +22,7 @@ constexpr auto pairs = [] {
 }();
 
 char* put_pair(char* at, std::uint64_t below_hundred) {
-    std::memcpy(at, &pairs[below_hundred], 2);
+    std::memcpy(at, &pairs[static_cast<std::size_t>(below_hundred)], 2);
     return at + 2;
 }
 

@@ -357,7 +357,7 @@ int InkMap::crossings(Spot from, Spot to, int most) const {
     for (int i = 0; i <= steps && count < most; ++i, x += dx, y += dy) {
         const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);
         const bool inked = column < static_cast<std::uint64_t>(columns_) && row < static_cast<std::uint64_t>(rows_) &&
-                           ((bits_[row * words_ + column / 64] >> (column % 64)) & 1U) != 0;
+                           ((bits_[static_cast<std::size_t>(row * words_ + column / 64)] >> (column % 64)) & 1U) != 0;
         const bool left = own && !(inked && i * pitch_ < soon);
         own = own && !left;
         run = inked ? (left ? 1 : run + 1) : 0;

@@ -28,7 +28,6 @@ public:
     CycleSheet(const Solution& drawn, const CycleTable& table, const std::vector<std::vector<std::size_t>>& plots,
                const std::vector<Way>& ways, const SheetOptions& options, const Fonts& fonts, const CamNotes* cam)
         : context_{drawn, options.theme, fonts, options.language, Dimensions::off},
-          theme_(options.theme),
           table_(table),
           plots_(plots),
           ways_(ways),
@@ -152,7 +151,6 @@ private:
     }
 
     DrawingContext context_;
-    const Theme& theme_;
     const CycleTable& table_;
     const std::vector<std::vector<std::size_t>>& plots_;
     const std::vector<Way>& ways_;
