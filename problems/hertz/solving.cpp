@@ -1,7 +1,7 @@
 #include "problems/hertz/hertz.hpp"
 
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -14,9 +14,13 @@
 namespace kinegraph {
 namespace {
 
-using boost::math::ellint_1;
-using boost::math::ellint_2;
+using boost::math::ellint_rd;
+using boost::math::ellint_rf;
 using std::numbers::pi;
+
+/// Elliptic integrals in doubles, not in the machine's widest type, so that every machine has the same last digit.
+/// Carlson's forms take square roots only.
+constexpr boost::math::policies::policy<boost::math::policies::promote_double<false>> in_doubles;
 
 /// The root of a function with one change of sign between two ends, by bisection to the precision of doubles.
 template <class Function>
@@ -30,23 +34,16 @@ double root_between(double low, double high, Function f) {
     return 0.5 * (low + high);
 }
 
-/// (K − E)/e² and ((a/b)² E − K)/e² for an ellipse with b/a = k. Avoids the cancellation near the circle, where both
-/// tend to π/4.
+/// (K − E)/e² and ((a/b)² E − K)/e² for an ellipse with b/a = k, without the cancellation of these differences near the
+/// circle, where both tend to π/4.
 struct Shape {
-    double along = pi / 4, across = pi / 4;  ///< (K − E)/e², ((a/b)² E − K)/e²
-    double complete = pi / 2;                ///< K
+    double along, across;  ///< (K − E)/e², ((a/b)² E − K)/e²
+    double complete;       ///< K
 };
 Shape shape_of(double k) {
-    const double e2 = (1 - k) * (1 + k);
-    Shape shape;
-    if (e2 < 1e-6) {  // to first order; the remainder is below 1e-12
-        shape.along = pi / 4 * (1 + 3.0 / 8 * e2);
-        shape.across = pi / 4 * (1 + 9.0 / 8 * e2);
-        shape.complete = pi / 2 * (1 + e2 / 4);
-        return shape;
-    }
-    const double e = std::sqrt(e2), whole = ellint_1(e), arc = ellint_2(e);
-    return {(whole - arc) / e2, (arc / (k * k) - whole) / e2, whole};
+    const double k2 = k * k;
+    return {ellint_rd(0.0, k2, 1.0, in_doubles) / 3, ellint_rd(0.0, 1.0, k2, in_doubles) / 3,
+            ellint_rf(0.0, k2, 1.0, in_doubles)};
 }
 
 class Contact {
@@ -172,10 +169,12 @@ HertzSolution::Stress stress_below_circle(const HertzSolution& c, double nu, dou
 HertzSolution::Stress stress_below_ellipse(const HertzSolution& c, double nu, double z) {
     const double k = c.b / c.a, e2 = (1 - k) * (1 + k), zeta = z / c.a;
     if (e2 < 1e-6) return stress_below_circle(c, nu, z);
-    const double e = std::sqrt(e2), t = nearest::hypot(c.b, z) / nearest::hypot(c.a, z);
-    const double phi = z > 0 ? nearest::atan2(c.a, z) : pi / 2;
-    const double first = ellint_1(e, phi), second = ellint_2(e, phi), in_k = 1 / (k * k);
-    const double along = zeta * (first - second), across = zeta * (in_k * second - first);
+    const double reach = nearest::hypot(c.a, z), t = nearest::hypot(c.b, z) / reach, in_k = 1 / (k * k);
+    // F(φ, e) and F − E with tan φ = a/z.
+    const double sine = c.a / reach, cosine = z / reach, delta2 = 1 - e2 * sine * sine;
+    const double first = sine * ellint_rf(cosine * cosine, delta2, 1.0, in_doubles);
+    const double less = e2 * sine * sine * sine / 3 * ellint_rd(cosine * cosine, delta2, 1.0, in_doubles);
+    const double along = zeta * less, across = zeta * (in_k * (first - less) - first);
     const double x = -0.5 * (1 - t) + along, x_nu = 1 - in_k * t + across;
     const double y = 0.5 + 0.5 / t - in_k * t + across, y_nu = -1 + t + along;
     const double factor = 2 * c.greatest * k / e2;
