@@ -133,7 +133,7 @@ double SheetPages::height_of(const std::vector<StandingRow>& rows, double loose)
 }
 /// By how much rows of text may be spaced on a page of this height.
 double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double height) {
-    constexpr double most = 0.15, fine = 0.01;
+    constexpr double most = 0.2, fine = 0.01;
     if (height_of(rows, most) <= height) return most;
     double low = 0, high = most;
     while (high - low > fine) {
@@ -183,7 +183,7 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
 /// `spare`: height that the band has beyond its own.
 void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band,
                           Spot at, double loose, double spare) {
-    constexpr double most_above_text = 24;
+    constexpr double most_above_text = 36;
     const std::size_t index = band.placed->band;
     marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
     const bool has_text = band.layout.divided > 0, is_below = has_text && (band.above > 0 || band.layout.under > 0);
