@@ -622,21 +622,37 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
                std::max(a.radius, least_circle) + std::max(b.radius, least_circle) + between_circles;
     };
     // Clusters whose details overlap are merged if a common detail still magnifies enough.
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t i = 0; i < clusters.size() && !changed; ++i)
-            for (std::size_t j = i + 1; j < clusters.size() && !changed; ++j) {
-                std::vector<Spot> ends = clusters[i].ends;
-                ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
-                if (!overlap(detail_round(clusters[i].ends, scale, across),
-                             detail_round(clusters[j].ends, scale, across)) ||
-                    detail_round(ends, scale, across).magnification < least_magnified)
-                    continue;
-                clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
-                clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
-                changed = true;
+    std::vector<Detail> rounds;
+    for (const Cluster& each : clusters) rounds.push_back(detail_round(each.ends, scale, across));
+    const auto merges = [&](std::size_t i, std::size_t j) {
+        if (!overlap(rounds[i], rounds[j])) return false;
+        std::vector<Spot> ends = clusters[i].ends;
+        ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
+        const Detail round = detail_round(ends, scale, across);
+        if (round.magnification < least_magnified) return false;
+        clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
+        rounds[i] = round;
+        clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
+        rounds.erase(rounds.begin() + static_cast<std::ptrdiff_t>(j));
+        return true;
+    };
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        for (std::size_t j = i + 1; j < clusters.size();) {
+            if (!merges(i, j)) {
+                ++j;
+                continue;
             }
-    }
+            // A larger one may reach those before it; all other pairs are as they were.
+            for (std::size_t k = 0; k < i;) {
+                if (!merges(k, i)) {
+                    ++k;
+                    continue;
+                }
+                i = k;
+                k = 0;
+            }
+            j = i + 1;
+        }
     // Of overlapping details the one with the shortest vector is kept.
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < clusters.size(); ++i) order.push_back(i);
@@ -644,15 +660,13 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
                      [&](std::size_t a, std::size_t b) { return clusters[a].shortest < clusters[b].shortest; });
     std::set<std::size_t> kept;
     for (const std::size_t i : order) {
-        const Detail detail = detail_round(clusters[i].ends, scale, across);
-        if (kept.size() == most_details || detail.magnification < least_magnified) continue;
-        if (std::none_of(kept.begin(), kept.end(),
-                         [&](std::size_t k) { return overlap(detail, detail_round(clusters[k].ends, scale, across)); }))
+        if (kept.size() == most_details || rounds[i].magnification < least_magnified) continue;
+        if (std::none_of(kept.begin(), kept.end(), [&](std::size_t k) { return overlap(rounds[i], rounds[k]); }))
             kept.insert(i);
     }
     std::vector<Detail> details;
     for (const std::size_t i : kept) {
-        details.push_back(detail_round(clusters[i].ends, scale, across));
+        details.push_back(rounds[i]);
         details.back().letter = roman(++letters);
     }
     return details;

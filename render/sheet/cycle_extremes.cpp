@@ -168,6 +168,8 @@ private:
             append(text, with_powers(word(lang::notation::colon, context_.language) + value));
             said.push_back(std::move(text));
         };
+        // Of all other columns nothing but their poles is told, and there may be thousands.
+        if (of.kind != Column::Kind::slid && of.quantity.kind != Kind::effort) return tell_of_poles(column, said);
         const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid) {
             say(lang::sheet::stroke, amount(most.value - least.value, of));

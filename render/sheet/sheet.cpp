@@ -151,7 +151,7 @@ private:
 
 namespace {
 
-/// In brief a solution of more sentences than these keeps no scale: dozens of pages are not planned twice.
+/// In brief a solution of more sentences and loads than these keeps no scale: dozens of pages are not planned twice.
 constexpr std::size_t most_compared = 300;
 
 /// A problem has the same scales in every language, and no coarser ones in brief, where that costs no page.
@@ -162,7 +162,8 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
         other.language = Language::en;
         return scales_of_solution(solution, other, fonts);
     }
-    if (options.detail == SolutionDetail::full || solution.protocol.statements.size() > most_compared)
+    const std::size_t size = solution.protocol.statements.size() + solution.mechanism.loads.size();
+    if (options.detail == SolutionDetail::full || size > most_compared)
         return std::nullopt;
     other.detail = SolutionDetail::full;
     KeptScales kept = scales_of_solution(solution, other, fonts);

@@ -1,8 +1,9 @@
 #include "render/sheet/sheet_limits.hpp"
+#include <string>
+
+#include "engine/solution/displacements.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/pages.hpp"
-
-#include <string>
 
 namespace kinegraph::render {
 
@@ -13,6 +14,10 @@ std::optional<Words> beyond_sheet(const Solution& solution) {
     if (polygons > most_polygons)
         return Words(lang::pages::a_sheet_of_this_solution_would_have, std::to_string(polygons),
                      std::to_string(most_polygons));
+    if (const std::size_t freedoms = solution.displacements ? solution.displacements->freedoms.size() : 0;
+        freedoms > most_displacements)
+        return Words(lang::pages::a_sheet_of_this_solution_would_show, std::to_string(freedoms),
+                     std::to_string(most_displacements));
     if (const std::size_t bodies = solution.mechanism.bodies.size(); bodies > most_drawn_bodies)
         return Words(lang::pages::a_drawing_of_many_bodies, std::to_string(bodies), std::to_string(most_drawn_bodies));
     return std::nullopt;

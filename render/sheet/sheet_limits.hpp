@@ -16,6 +16,8 @@ namespace kinegraph::render {
 constexpr std::size_t most_sentences = 2000;
 /// Polygons of a solution on one sheet.
 constexpr std::size_t most_polygons = 80;
+/// Freedoms that are displaced separately, each with a figure of the whole mechanism.
+constexpr std::size_t most_displacements = 12;
 /// Bodies of one figure of the mechanism.
 constexpr std::size_t most_drawn_bodies = 250;
 /// Sentences of a solution that is drawn step by step, on a page each.
