@@ -190,13 +190,26 @@ void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale
     double below = 0;
     DrawnFigures::ByBand& by_band = contents_.figures.by_band();
     if (const auto figures = by_band.find(index); figures != by_band.end()) {
-        below = band.figures + std::min(spare, most_above_text);
-        if (band.layout.under > 0) below = band.figures;
+        below = band.figures + (band.layout.under > 0 ? spare_above_text(band, most_above_text, loose, spare)
+                                                      : std::min(spare, most_above_text));
         set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at,
                     is_below ? below : band.height(loose) - band.block + spare);
     }
     if (has_text) set_text(marks, band, at, below, loose);
     marks.emplace_back(GroupEnd{});
+}
+
+/// By how much columns of text below the figures may stand lower, where others stand beside them.
+double SheetPages::spare_above_text(const Standing& band, double most, double loose, double spare) const {
+    constexpr double fine = 4;
+    const PlacedBand& placed = *band.placed;
+    const ColumnText& text = contents_.plan.layouts(placed.band).text(band.layout.divided, band.layout.cornered);
+    const double height = std::min(band.height(loose) + spare, placed.room.height()) / (1 + loose);
+    while (most > 0 &&
+           !text.fits(band.layout.text_columns(placed.room.width(), text.measure(), band.figures + most, placed.notch),
+                      height))
+        most -= fine;
+    return std::max(most, 0.0);
 }
 
 /// Each figure stands in the middle between its caption and the end of its part of `height`, but near its caption.

@@ -71,6 +71,7 @@ private:
     std::vector<Mark> marks_on(std::size_t page, std::optional<double>& scale_of_mechanism);
     void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
                   double loose, double spare);
+    double spare_above_text(const Standing& band, double most, double loose, double spare) const;
     void set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
                      std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height);
     void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose);
