@@ -49,6 +49,17 @@ TEST(Scale, is_the_finest_round_one_that_fits) {
     EXPECT_GT(choose_scale(0, 0, 100, 100, std::nullopt), 0);
 }
 
+TEST(Scale, has_neighbours_in_the_series) {
+    double scale = 0.001;
+    for (int step = 0; step < 40; ++step) {
+        const double coarser = next_scale(scale);
+        EXPECT_GT(coarser, scale);
+        EXPECT_LE(coarser, 2 * scale * (1 + 1e-12));
+        EXPECT_EQ(finer_scale(coarser), scale);
+        scale = coarser;
+    }
+}
+
 TEST(Ids, keep_letters_and_write_the_rest_as_bytes) {
     EXPECT_EQ(legal_id("O2.a-b_c"), "O2.a-b_c");
     EXPECT_EQ(legal_id("A*"), "A_x2A_");
