@@ -56,11 +56,11 @@ const examples = below(join(top, 'examples'))
     .map((path) => `examples/${path}`);
 /** @type {{path: string, title: any}[]} */
 const listed = [];
-/** Sections that only the program solves (docs/web.md): such a file is not offered. */
-const ofTheProgram = ['motion', 'cam'];
+/** What only the program solves (docs/web.md): such a file is not offered. */
+const isOfTheProgram = (/** @type {any} */ file) => file.cam || file.motion?.point;
 for (const path of examples) {
     const text = readFileSync(join(top, path), 'utf8'), file = JSON.parse(text);
-    if (!file.kinegraph || ofTheProgram.some((section) => section in file)) continue;
+    if (!file.kinegraph || isOfTheProgram(file)) continue;
     mkdirSync(dirname(join(site, path)), {recursive: true});
     writeFileSync(join(site, path), text);
     listed.push({path, title: file.title ?? ''});
