@@ -154,12 +154,12 @@ public:
             json_.key(name).open('{').close();
             return;
         }
-        end_entry(*section);
-        json_.member(name, section->json.close());
+        write(*section);
     }
-    /// The same if it has values.
-    void write_found(std::string_view name) {
-        if (find(name) != sections_.end()) write(name);
+    /// Those that have not been written, in the order of their first values.
+    void write_the_others() {
+        for (Section& each : sections_)
+            if (!each.is_written) write(each);
     }
 
 private:
@@ -168,6 +168,7 @@ private:
         JsonWriter json{JsonWriter::Style::document, 1};
         std::string key{};  ///< of the entry
         std::optional<Entry> entry{};
+        bool is_written = false;
     };
 
     std::vector<Section>::iterator find(std::string_view name) {
@@ -180,6 +181,7 @@ private:
         const std::size_t first = place.find('/'), second = place.rfind('/');
         const std::string_view name = place.substr(0, first);
         if (first == std::string_view::npos) return;  // in a section with more than results
+        if (result_kind(quantity).is_of_forces() && !forces_asked(solution_)) return;
         if (find(name) == sections_.end()) {
             sections_.push_back({name});
             sections_.back().json.open('{', on_lines);
@@ -204,6 +206,11 @@ private:
     }
     /// What may lie at infinity is in a section of its own.
     void take(const Quantity& /*quantity*/, const ProjectivePoint& /*found*/) {}
+    void write(Section& section) {
+        end_entry(section);
+        json_.member(section.name, section.json.close());
+        section.is_written = true;
+    }
     static void end_entry(Section& section) {
         if (section.entry) section.json.member(section.key, section.entry->closed());
         section.entry.reset();
@@ -514,8 +521,8 @@ public:
             sections.write("effort");
             if (solution_.truss) sections.write("bars");
             if (solution_.truss && !solution_.truss->cuts.empty()) forces.cuts();
-            sections.write_found("power");
         }
+        sections.write_the_others();
         if (!solution_.resultants.empty()) forces.resultants();
         if (solution_.contacts) contacts();
         if (solution_.equations && solution_.equations->why_not.empty()) {
