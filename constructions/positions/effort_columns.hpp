@@ -5,6 +5,7 @@
 
 #include "constructions/positions/effort_rows.hpp"
 #include "engine/sentences/column.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 

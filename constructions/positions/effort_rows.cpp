@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/solution/solution.hpp"
+
 namespace kinegraph {
 
 std::vector<ElementIndex> EffortRows::wanted(const VirtualWork& work) {
