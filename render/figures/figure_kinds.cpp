@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/number/assert.hpp"
+#include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/page/shapes.hpp"
 
