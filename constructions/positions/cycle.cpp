@@ -176,7 +176,6 @@ public:
         lacking_.resize(columns_.size());
         return column;
     }
-    const FollowedCycle& followed() const { return followed_; }
     const std::vector<FlankChange>& flank_changes() const { return flank_changes_; }
     const std::vector<bool>& empty_cells() const { return empty_; }
 
@@ -469,7 +468,6 @@ std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row
 const FollowedCycle& Cycle::follow(const Travel& travel, const std::vector<std::size_t>& whole) {
     return rows_->follow(travel, whole);
 }
-const FollowedCycle& Cycle::followed() const { return rows_->followed(); }
 const std::vector<FlankChange>& Cycle::flank_changes() const { return rows_->flank_changes(); }
 const std::vector<bool>& Cycle::empty_cells() const { return rows_->empty_cells(); }
 std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) {

@@ -78,7 +78,6 @@ public:
     /// would have to pull. What is found is the same for any number of rows. Rows that are asked for afterwards have
     /// empty cells on poles. Call it after begin(); again for further columns, which changes nothing of the others.
     const FollowedCycle& follow(const Travel& travel, const std::vector<std::size_t>& whole);
-    const FollowedCycle& followed() const;  ///< empty unless follow() was called
     /// Gear by gear, in order; empty unless follow() was called.
     const std::vector<FlankChange>& flank_changes() const;
     /// By column: whether the last row has no value there, since the quantity grows without limit. It then contains 0.

@@ -338,17 +338,4 @@ Protocol Board::finish() && {
     return std::move(protocol_);
 }
 
-std::string_view name_of(Topic topic) {
-    switch (topic) {
-        case Topic::unnamed: return "";
-        case Topic::velocity: return "velocity";
-        case Topic::acceleration: return "acceleration";
-        case Topic::relative_motion: return "relative motion";
-        case Topic::centres: return "centres";
-        case Topic::curvature: return "curvature";
-        case Topic::forces: return "forces";
-    }
-    KG_ASSERT(false, "a sentence has a topic");
-}
-
 }  // namespace kinegraph

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -99,8 +98,6 @@ struct DrawnLine {
 
 /// The subject of a sentence: the section of the solution that contains it.
 enum class Topic { unnamed, velocity, acceleration, relative_motion, centres, curvature, forces };
-/// The name used for headings and in results: "relative motion".
-std::string_view name_of(Topic topic);
 
 /// A sentence of the solution with its equation and strokes.
 struct Statement {
