@@ -205,6 +205,7 @@ double SheetPages::spare_above_text(const Standing& band, double most, double lo
     const PlacedBand& placed = *band.placed;
     const ColumnText& text = contents_.plan.layouts(placed.band).text(band.layout.divided, band.layout.cornered);
     const double height = std::min(band.height(loose) + spare, placed.room.height()) / (1 + loose);
+    most = std::min(most, band.height(loose) + spare - band.block - band.figures);  // there may be no text below them
     while (most > 0 &&
            !text.fits(band.layout.text_columns(placed.room.width(), text.measure(), band.figures + most, placed.notch),
                       height))
