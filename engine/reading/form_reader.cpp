@@ -415,6 +415,13 @@ std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, con
 }
 
 std::optional<Vector> FormReader::sense(JsonValue value) {
+    // Two points are a direction elsewhere: numbers are wanted, but of a vector.
+    if (value && value.is_array())
+        for (const JsonValue part : value)
+            if (part.is_string() && points_by_name_.contains(part.text())) {
+                fault(value, {lang::forms::is_wanted_here_not, Words(lang::forms::a_vector_dx_dy), described(part)});
+                return std::nullopt;
+            }
     auto direction = vector(value, QuantityKind::dimensionless, {lang::forms::a_vector_dx_dy});
     if (direction && direction->is_zero()) {
         fault(value, {lang::forms::n_0_0_has_no_direction});

@@ -111,6 +111,8 @@ void LoadsSection::read_masses(const Members& file) {
         mass.mass = form.quantity_or_default("mass");
         mass.centre = form.point("centre");
         mass.inertia = form.quantity_or_default("inertia");
+        // Its acceleration is asked for, whether the body's list names it or not.
+        if (mechanism_.inertia_forces) bodies_.carry(mass.body, mass.centre);
         mechanism_.masses.push_back(std::move(mass));
     });
 }

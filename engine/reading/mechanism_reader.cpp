@@ -109,9 +109,9 @@ private:
     }
 
     void read_forces(const Members& file) {
+        mechanism_.inertia_forces = file.flag("inertia forces");
         loads_.read_masses(file);
         mechanism_.gravity = file.vector("gravity");
-        mechanism_.inertia_forces = file.flag("inertia forces");
         file.each("loads", [&](JsonValue v) { loads_.read_load(v); });
         if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
             efforts_.read_effort(effort);
@@ -143,7 +143,7 @@ private:
     ProblemSection problem_{*this, mechanism_};
     JointsSection joints_{*this, mechanism_, bodies_};
     DriversSection drivers_{*this, mechanism_, *this, joints_};
-    LoadsSection loads_{*this, mechanism_, joints_};
+    LoadsSection loads_{*this, mechanism_, bodies_, joints_};
     EffortsSection efforts_{*this, mechanism_, joints_};
     MotionSection motion_{*this, mechanism_, bodies_};
     WishesSection wishes_{*this, mechanism_};

@@ -249,8 +249,8 @@ private:
 
 class LoadsSection {
 public:
-    LoadsSection(FormReader& file, Mechanism& mechanism, JointsSection& joints)
-        : file_(file), mechanism_(mechanism), joints_(joints) {}
+    LoadsSection(FormReader& file, Mechanism& mechanism, BodiesSection& bodies, JointsSection& joints)
+        : file_(file), mechanism_(mechanism), bodies_(bodies), joints_(joints) {}
 
     void read_masses(const Members& file);
     void read_load(JsonValue value);
@@ -276,6 +276,7 @@ private:
 
     FormReader& file_;
     Mechanism& mechanism_;
+    BodiesSection& bodies_;
     JointsSection& joints_;
     std::unordered_set<std::string> load_names_;
 };
