@@ -86,8 +86,8 @@ tl::expected<double, Words> turn_asked(const CamOptions& options, const Cam& cam
 
 Words decimal_text(const char* form, double value, const std::string& unit) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), form, value);
-    return decimal_words(text.data() + unit);
+    std::snprintf(text.data(), text.size(), form, value == 0 ? 0 : std::abs(value));  // no "−0"
+    return decimal_words((value < 0 ? "−" : "") + (text.data() + unit));
 }
 Words turn_text(double turn) { return decimal_text("%.4g", turn * 180 / std::numbers::pi, "°"); }
 Words length_text(const Cam& cam, double length) {

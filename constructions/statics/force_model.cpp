@@ -259,8 +259,8 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
     return total;
 }
 
-bool ForceModel::is_inner(const Load& load, const Group& group) const {
-    return std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
+bool ForceModel::is_inner(const Load& load, const Group& group, const std::vector<Load>& loads) {
+    return std::any_of(loads.begin(), loads.end(), [&](const Load& other) {
         return other.kind == load.kind && other.given == load.given && other.member != load.member &&
                in(group, other.member);
     });

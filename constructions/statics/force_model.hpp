@@ -71,8 +71,9 @@ public:
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// Whether a load is a spring between two members of the group, which has no effect on the group.
-    bool is_inner(const Load& load, const Group& group) const;
+    /// Whether one of these loads is a spring between two members of the group, which has no effect on the group. Where
+    /// the loads of one member act alone, the spring's other end does not act.
+    static bool is_inner(const Load& load, const Group& group, const std::vector<Load>& loads);
     /// Sum of the loads and known reactions on a member: components along x and y, and the moment about a place.
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,
                                     PlaceOnDrawing about);

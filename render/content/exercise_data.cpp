@@ -1,17 +1,21 @@
 // The data of the file, sentence by sentence; one function for each kind of data. Part of exercise_text.hpp.
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
+#include "engine/results/result_expression.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/data.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/scene/bars.hpp"
 
 namespace kinegraph::render {
@@ -42,10 +46,29 @@ public:
         if (!mechanism_.masses.empty())
             say(mechanism_.inertia_forces ? lang::data::inertia : lang::data::no_inertia, {});
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { add_load(each); }, load);
+        add_parameters();
         return std::move(rows_);
     }
 
 private:
+    /// Those that what is asked for names: nothing else on the page says what they are.
+    void add_parameters() {
+        std::set<std::string> said;
+        for (const Column& column : asked_columns(mechanism_)) {
+            const auto expression = expression_called(column.name, mechanism_);
+            if (!expression) continue;
+            for (const Column& part : expression->parts()) {
+                const auto is_it = [&](const NamedParameter& each) { return each.name == part.name; };
+                const auto& all = mechanism_.parameters;
+                const auto given = std::find_if(all.begin(), all.end(), is_it);
+                if (part.kind != Column::Kind::parameter || given == all.end() || !said.insert(part.name).second)
+                    continue;
+                say(lang::data::given_vector, {typeset(part, mechanism_, language()),
+                                               amount(Exact::from_double(given->value), unit_of(part, mechanism_))});
+            }
+        }
+    }
+
     void add_coordinates() {
         RichText list;
         for (const PointIndex index : indices_of(mechanism_.points)) {

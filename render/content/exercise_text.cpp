@@ -330,6 +330,10 @@ bool has_turning_sense(const Mechanism& mechanism) {
                 kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment);
     });
 }
+Key turning_senses(const Solution& solution) {
+    return has_motion(solution) || stands_for_joints(solution.mechanism) ? lang::sheet::quiz_signs
+                                                                         : lang::sheet::quiz_signs_at_rest;
+}
 AskedText asked_text(const DrawingContext& context, const Column& column) { return SoughtText(context).asked(column); }
 
 std::string heading_of(Topic section, Language language) {

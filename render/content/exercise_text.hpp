@@ -21,6 +21,8 @@ std::vector<RichText> data_of(const DrawingContext& context);
 std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<RequestedResult>& found = {});
 /// Whether a result is positive counter-clockwise.
 bool has_turning_sense(const Mechanism& mechanism);
+/// What counts positive: in statics no velocities.
+Key turning_senses(const Solution& solution);
 /// For the key: the positive sense of sliding, of balancing loads and of the forces in bars; one paragraph each.
 std::vector<RichText> signs_of(const DrawingContext& context);
 /// A result in an exercise: ω_3, "the angular velocity ω_3 of body 3".

@@ -67,12 +67,21 @@ void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Bo
     }
 }
 
+/// By the diagrams that it has; of bars that cross, and that no cut separates, the free bodies.
+Key subtitle_of_truss(const Truss& truss) {
+    const bool has_plan = truss.polygon >= 0, has_cuts = !truss.cuts.empty();
+    return has_plan && has_cuts ? lang::sheet::subtitle_truss
+           : has_plan           ? lang::sheet::subtitle_cremona
+           : has_cuts           ? lang::sheet::subtitle_cuts
+                                : lang::sheet::subtitle_forces;
+}
+
 std::string subtitle_of(const Solution& solution, Language language) {
     if (stands_for_joints(solution.mechanism)) return in(solution.problem->subject, language);
     const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
                                           [](const Polygon& p) { return p.plane == Plane::acceleration; });
     return word(is_mixed(solution)                   ? lang::sheet::subtitle_mixed
-                : solution.truss                     ? lang::sheet::subtitle_truss
+                : solution.truss                     ? subtitle_of_truss(*solution.truss)
                 : has_forces(solution)               ? lang::sheet::subtitle_forces
                 : solution.protocol.polygons.empty() ? lang::sheet::subtitle_pose
                 : acceleration                       ? lang::sheet::subtitle_acceleration

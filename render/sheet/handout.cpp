@@ -157,7 +157,7 @@ private:
         Passage asked = passage(lang::sheet::sought, sought_of(context_, asked_), "–");
         if (has_turning_sense(context_.solution.mechanism))
             asked.rows.emplace_back(paragraph_block(
-                context_, measure(), one_piece(word(lang::sheet::quiz_signs, context_.language)), 0, ""));
+                context_, measure(), one_piece(word(turning_senses(context_.solution), context_.language)), 0, ""));
         return {passage(lang::sheet::data, data_of(context_), ""), std::move(asked),
                 passage(lang::sheet::scales, scales_of(context_, drawn_.figures, sought), "–")};
     }

@@ -161,7 +161,7 @@ private:
                     kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment;
             has_vectors = has_vectors || is_length(each.column);
         }
-        if (turns) item_.notes.push_back(one_piece(word(lang::sheet::quiz_signs, language())));
+        if (turns) item_.notes.push_back(one_piece(word(turning_senses(solution_), language())));
         if (has_vectors) item_.notes.push_back(one_piece(word(lang::sheet::quiz_lengths, language())));
         if (!is_problem_) item_.notes.push_back(one_piece(word(lang::sheet::tolerances, language())));
     }

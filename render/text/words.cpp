@@ -206,6 +206,7 @@ bool is_empty(const Argument& arg) {
 }
 
 bool is_one(const Argument& arg) {
+    if (std::holds_alternative<BodyName>(arg)) return named_by(arg) != Named::several_bodies;
     if (const auto* count = std::get_if<Count>(&arg)) return count->value == 1;
     if (const auto* names = std::get_if<Names>(&arg)) return names->size() == 1;
     if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->size() == 1;

@@ -207,6 +207,54 @@ std::string resultant_of(const Solution& solution) {
     return json.contains("resultant") ? json["resultant"].dump() : "none";
 }
 
+/// Loads that cancel leave a body two forces, and the sentence says so: no load is passed over in silence.
+TEST(Equilibrium, LoadsThatCancelAreNamedBesideTheTwoForces) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 0,
+        "points": {"A": [0, 0], "B": [10, 2], "C": [5, 5], "D": [2, 5], "F": [2, 2]},
+        "bodies": {"1": ["A", "F", "D", "C"], "2": ["C", "B"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]},
+                   {"revolute": "B", "bodies": [0, 2]}],
+        "loads": [{"force": "P", "body": 1, "at": "D", "value": [0, -7]},
+                  {"force": "S", "body": 1, "at": "F", "value": [0, 7]},
+                  {"force": "U", "body": 2, "at": "C", "value": [3, -20]}]})");
+    EXPECT_EQ(english(solution.protocol.statements[0].message),
+              "Body 1 carries, besides F_P, F_S, which are in equilibrium, two forces only, so both act along AC.");
+    expect_determined_forces_only(
+        solution, check_forces(solution.mechanism, solution.pose, check_motion(solution.mechanism, solution.pose)));
+}
+
+/// A rope between two bodies acts on the two taken together where the loads of one of them act alone.
+TEST(Equilibrium, OfLoadsThatActAloneTheRopesOtherEndDoesNot) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 0,
+        "points": {"A": [0, 0], "B": [10, 2], "C": [5, 5], "D": [2, 5], "E": [8, 5], "G": [8, 3]},
+        "bodies": {"1": ["A", "D", "C"], "2": ["C", "E", "B", "G"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]},
+                   {"revolute": "B", "bodies": [0, 2]}],
+        "loads": [{"force": "S", "bodies": [1, 2], "between": ["D", "E"], "magnitude": 5},
+                  {"force": "P", "body": 1, "at": "D", "value": [3, -1]},
+                  {"force": "Q", "body": 2, "at": "G", "value": [0, -9]}]})");
+    ASSERT_TRUE(solution.superposition);
+    expect_determined_forces_only(
+        solution, check_forces(solution.mechanism, solution.pose, check_motion(solution.mechanism, solution.pose)));
+}
+
+/// The centre of a mass belongs to its body, listed there or not: its inertia force is the same.
+TEST(InertiaForces, OfACentreThatTheBodyDoesNotListAreTheSame) {
+    const auto crank = [](const char* listed) {
+        return solved(std::string(R"({"kinegraph": 1, "frame": 1,
+            "points": {"O": [0, 0], "A": [3, 4], "G": [1, 3]}, "bodies": {"2": ["O", "A")") +
+                      listed + R"(]},
+            "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 2, "alpha": 3}],
+            "masses": {"2": {"mass": 5, "centre": "G", "inertia": 7}}, "inertia forces": true,
+            "effort": {"couple": "M", "body": 2}})");
+    };
+    const Solution listed = crank(R"(, "G")"), unlisted = crank("");
+    EXPECT_TRUE(unlisted.unsolved.empty());
+    ASSERT_TRUE(unlisted.efforts.front().value);
+    EXPECT_EQ(*unlisted.efforts.front().value, *listed.efforts.front().value);
+    EXPECT_EQ(*unlisted.efforts.front().value, Exact(3 * (7 + 5 * 10)));  // α (J + m OG²)
+}
+
 TEST(Equilibrium, WhatIsLeftOverIsAForceAlongALine) {
     const Solution& solution = example("plate_under_forces");
     ASSERT_EQ(solution.resultants.size(), 1U);

@@ -279,6 +279,39 @@ TEST(Question, SaysWhichTurningIsPositive) {
     EXPECT_TRUE(has(words_of(lay_out(turns, options, fonts())), "antiorario"));
 }
 
+/// At rest no velocities are spoken of.
+TEST(Question, AtRestSpeaksOfNoVelocities) {
+    SheetOptions options;
+    options.kind = SheetKind::question;
+    const Solution at_rest = tests::solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [2, 0]},
+        "bodies": {"2": ["A", "B"]}, "joints": [{"weld": "A", "bodies": [1, 2]}],
+        "loads": [{"force": "F", "body": 2, "at": "B", "value": [0, -3]}], "find": ["forces"]})");
+    const std::string words = words_of(lay_out(at_rest, options, fonts()));
+    EXPECT_TRUE(has(words, "counter-clockwise")) << words;
+    EXPECT_FALSE(has(words, "velocit")) << words;
+}
+
+/// What a question names it defines: the parameters of an asked expression.
+TEST(Data, DefinesTheParametersThatAreAskedWith) {
+    const Solution solution = tests::solved(R"json({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+        "parameters": {"r": "50 mm", "n": "9 rad/s"},
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": "= r", "angle": 30}}, "bodies": {"2": ["O", "A"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": "= n"}],
+        "ask": ["ratio = |v A|/(r*omega 2)"]})json");
+    const std::string data = data_in(solution, Language::en);
+    EXPECT_TRUE(has(data, "r = 50 mm.")) << data;
+    EXPECT_FALSE(has(data, "n = ")) << data;
+}
+
+/// An angle of a spring is counted from somewhere.
+TEST(Data, OfATorsionSpringSaysFromWhereItIsTurned) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [2, 0]},
+        "bodies": {"2": ["A", "B"]}, "joints": [{"revolute": "A", "bodies": [1, 2]}], "effort": {"couple": "M", "body": 2},
+        "loads": [{"spring": "t", "bodies": [2, 1], "at": "A", "stiffness": "30 N m/rad", "turned": -40}]})");
+    EXPECT_TRUE(has(data_in(solution, Language::en), "is turned by −40° from where the spring is slack"));
+    EXPECT_TRUE(has(data_in(solution, Language::it), "ruotato di −40° dalla posizione in cui la molla è scarica"));
+}
+
 TEST(Data, NamesTheBodiesOfASpring) {
     const std::string data = data_in(example("lever_on_springs"), Language::en);
     EXPECT_TRUE(has(data, "(body ") && has(data, "(frame)")) << data;

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "lang/keys/sentences.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -46,10 +48,12 @@ public:
         for (const FreeBody& body : solution_.free_bodies) closes(body);
         external_forces_close();
         no_power_is_lost();
+        told_forces_are_all();
     }
 
     /// For a mechanism that is not wholly determined.
     void gives_only_what_is_determined() const {
+        told_forces_are_all();
         double scale = 1;  // N: the order of the loads
         for (const NumericForces::Action& action : numeric_.actions)
             if (action.known) scale = std::max({scale, std::abs(action.force[0]), std::abs(action.force[1])});
@@ -385,6 +389,59 @@ private:
         ASSERT_TRUE(solution_.virtual_work || solution_.free_bodies.empty());
         if (solution_.virtual_work)
             expect_nothing(solution_.virtual_work->total, sizes, "virtual power as it is shown");
+    }
+
+    /// What a sentence says of the forces on a body is all of it: the resultant of those that it names is what they
+    /// add up to, and loads that act besides "two forces only" are named.
+    void told_forces_are_all() const {
+        told_forces_are_all(solution_.free_bodies, solution_.taken_together);
+        if (!solution_.superposition) return;
+        for (const Superposition::Part& part : solution_.superposition->parts)
+            told_forces_are_all(part.bodies, part.together);
+    }
+    void told_forces_are_all(const std::vector<FreeBody>& bodies, const std::vector<TakenTogether>& groups) const {
+        const auto sum_of = [&](const Symbols& named, const auto& is_on) {
+            Vector sum{0, 0};
+            for (const FreeBody& body : bodies)
+                if (is_on(body))
+                    for (const AppliedForce& each : body.forces)
+                        if (std::find(named.begin(), named.end(), each.symbol) != named.end()) sum = sum + each.force;
+            return sum;
+        };
+        const auto hold = [&](const std::vector<AppliedForce>& sums, const auto& is_on) {
+            for (const AppliedForce& each : sums) {
+                if (each.force_statement == none) continue;
+                const Message& said = solution_.protocol.statements[at(each.force_statement)].message;
+                if (said.sentence != lang::sentences::known_resultant) continue;
+                const Vector misses = sum_of(std::get<Symbols>(said.arguments[1]), is_on) - each.force;
+                expect_nothing(misses, largest_, "the resultant " + name_of(each.symbol) + " of what is named");
+            }
+        };
+        for (const FreeBody& body : bodies) {
+            hold(body.sums, [&](const FreeBody& other) { return &other == &body; });
+            for (const AppliedForce& each : body.forces)
+                if (!each.is_reaction() && each.kind != Quantity::Kind::effort) names_besides(body, each);
+        }
+        for (const TakenTogether& group : groups)
+            hold(group.sums, [&](const FreeBody& body) {
+                // Pins are left out of the list; the symbol of a load names its own.
+                return body.body == none ||
+                       std::find(group.bodies.begin(), group.bodies.end(), body.body) != group.bodies.end();
+            });
+    }
+    void names_besides(const FreeBody& body, const AppliedForce& load) const {
+        using namespace lang::sentences;
+        if (solution_.superposition || body.body == none) return;  // there the load may not act
+        for (const Statement& statement : solution_.protocol.statements) {
+            const Key said = statement.message.sentence;
+            if (statement.bodies != std::vector{body.body} || statement.section != Topic::forces ||
+                (said != two_force_body && said != two_force_guide))
+                continue;
+            const auto* besides = std::get_if<Symbols>(&statement.message.arguments.back());
+            const Symbols named = besides != nullptr ? *besides : Symbols{};
+            EXPECT_NE(std::find(named.begin(), named.end(), load.symbol), named.end())
+                << name_of(load.symbol) << " acts too on " << name(body.body);
+        }
     }
 
     const Solution& solution_;

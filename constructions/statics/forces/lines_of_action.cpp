@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace kinegraph::statics {
 
@@ -15,10 +16,25 @@ bool LinesOfAction::lines(const Group& group, const std::vector<Load>& loads, Ru
     if (forces < 2 || forces > 3 || couples.size() > 1) return false;
     if (forces == 3 && (fixed.size() != 2 || !couples.empty())) return false;
     if (forces == 2 && fixed.size() == 2) return false;
-    if (!model_.known_on(group, loads, run).vanishes()) return false;
+    const Wrench known = model_.known_on(group, loads, run);
+    if (!known.vanishes()) return false;
+    note_balanced(known, group, loads, run);
     if (forces == 3) return concurrent(group, fixed, pins, guides, run);
     if (!couples.empty()) return parallel_to_other(group, pins, guides, fixed, run);
     return two_forces(group, pins, guides, fixed, run);
+}
+
+void LinesOfAction::note_balanced(const Wrench& known, const Group& group, const std::vector<Load>& loads,
+                                  const Run& run) {
+    balanced_.clear();
+    if (!known.vanishes()) return;
+    for (const Actor& actor : resultants_.actors_on(group, loads, run)) balanced_.push_back(actor.symbol);
+}
+
+void LinesOfAction::say_of_others(const Group& group, Key sentence, std::vector<Argument> arguments,
+                                  const char* source) {
+    if (!balanced_.empty()) arguments.emplace_back(balanced_);
+    said_.say_of(group, sentence, std::move(arguments), source);
 }
 
 bool LinesOfAction::parallel_to_all(const Group& group, const std::vector<Load>& loads, Run& run) {
@@ -33,7 +49,8 @@ bool LinesOfAction::parallel_to_all(const Group& group, const std::vector<Load>&
         return false;
     const Wrench known = model_.known_on(group, loads, run);
     if (known.force && !is_along(board_.direction(*known.force))) return false;
-    said_.say_of(group, lang::sentences::three_parallel_lines, {said_.symbol_on(pins[0], group)});
+    note_balanced(known, group, loads, run);
+    say_of_others(group, lang::sentences::three_parallel_lines, {said_.symbol_on(pins[0], group)});
     settled_.settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, along), run);
     return true;
 }
@@ -57,15 +74,16 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (pins.size() == 2) {
         const Bond &one = model_.bonds()[at(pins[0])], &two = model_.bonds()[at(pins[1])];
         if (board_.coincide(one.place, two.place)) return false;
-        said_.say_of(group, group.size() > 1 ? lang::sentences::two_force_group : lang::sentences::two_force_body,
-                     {said_.place_name(pins[0]), said_.place_name(pins[1])});
+        say_of_others(group, group.size() > 1 ? lang::sentences::two_force_group : lang::sentences::two_force_body,
+                      {said_.place_name(pins[0]), said_.place_name(pins[1])});
         const Action found = model_.action(one.place, join_direction(one.place, two.place));
         settled_.settle_line(pins[0], found, run);
         settled_.settle_line(pins[1], found, run);
         return true;
     }
     if (pins.size() == 1 && guides.size() == 1) {
-        said_.say_of(group, lang::sentences::two_force_guide, {said_.place_name(pins[0]), said_.place_name(guides[0])});
+        say_of_others(group, lang::sentences::two_force_guide,
+                      {said_.place_name(pins[0]), said_.place_name(guides[0])});
         const Action found = model_.action(model_.bonds()[at(pins[0])].place, model_.bonds()[at(guides[0])].direction);
         settled_.settle_line(pins[0], found, run);
         settled_.settle_line(guides[0], found, run);
@@ -74,12 +92,12 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (pins.size() == 1 && fixed.size() == 1) {
         const Action given = *run.reactions[at(fixed[0])].action;
         if (board_.on_line(model_.bonds()[at(pins[0])].place, given.line)) {
-            said_.say_of(group, lang::sentences::two_force_body,
-                         {said_.place_name(pins[0]), said_.place_name(fixed[0])});
+            say_of_others(group, lang::sentences::two_force_body,
+                          {said_.place_name(pins[0]), said_.place_name(fixed[0])});
             settled_.settle_line(pins[0], given, run);
             settled_.found_line(fixed[0], run);
         } else {
-            said_.say_of(group, lang::sentences::zero_forces, {});
+            say_of_others(group, lang::sentences::zero_forces, {});
             settled_.vanish(pins[0], group, run);
             settled_.vanish(fixed[0], group, run);
         }
@@ -88,7 +106,7 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     if (guides.size() == 2) {
         if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction))
             return false;
-        said_.say_of(group, lang::sentences::zero_forces, {});
+        say_of_others(group, lang::sentences::zero_forces, {});
         settled_.vanish(guides[0], group, run);
         settled_.vanish(guides[1], group, run);
         return true;
@@ -96,12 +114,12 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
     // A guide and a line: the guide's reaction can be at any place.
     const Action given = *run.reactions[at(fixed[0])].action;
     if (board_.parallel(model_.bonds()[at(guides[0])].direction, given.direction)) {
-        said_.say_of(group, lang::sentences::two_force_guide,
-                     {said_.place_name(fixed[0]), said_.place_name(guides[0])});
+        say_of_others(group, lang::sentences::two_force_guide,
+                      {said_.place_name(fixed[0]), said_.place_name(guides[0])});
         settled_.settle_line(guides[0], given, run);
         settled_.found_line(fixed[0], run);
     } else {
-        said_.say_of(group, lang::sentences::zero_forces, {});
+        say_of_others(group, lang::sentences::zero_forces, {});
         settled_.vanish(guides[0], group, run);
         settled_.vanish(fixed[0], group, run);
     }
@@ -113,7 +131,7 @@ bool LinesOfAction::parallel_to_other(const Group& group, const std::vector<int>
     if (pins.size() != 1) return false;
     const DirectionHandle direction =
         fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
-    said_.say_of(group, lang::sentences::two_forces_and_couple, {said_.place_name(pins[0])});
+    say_of_others(group, lang::sentences::two_forces_and_couple, {said_.place_name(pins[0])});
     settled_.settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, direction), run);
     return true;
 }
@@ -139,11 +157,11 @@ bool LinesOfAction::concurrent(const Group& group, const std::vector<int>& fixed
         found = model_.action(*met, bond.direction);
     }
     if (parallel) {
-        said_.say_of(group, lang::sentences::three_parallel_lines, {said_.symbol_on(third, group)});
+        say_of_others(group, lang::sentences::three_parallel_lines, {said_.symbol_on(third, group)});
     } else {
-        said_.say_of(group, lang::sentences::three_force_line,
-                     {PointName{said_.meet_name(group, *met)}, said_.symbol_on(third, group), said_.place_name(third)},
-                     "Culmann");
+        say_of_others(group, lang::sentences::three_force_line,
+                      {PointName{said_.meet_name(group, *met)}, said_.symbol_on(third, group), said_.place_name(third)},
+                      "Culmann");
     }
     settled_.settle_line(third, *found, run);
     return true;

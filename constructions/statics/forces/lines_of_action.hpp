@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "constructions/statics/force_model.hpp"
+#include "constructions/statics/forces/resultants.hpp"
 #include "constructions/statics/forces/settling.hpp"
 
 namespace kinegraph::statics {
@@ -12,7 +13,12 @@ namespace kinegraph::statics {
 class LinesOfAction {
 public:
     LinesOfAction(ForceModel& model, Board& board, const KnownForces& known, ForceSentences& said)
-        : model_(model), board_(board), known_(known), said_(said), settled_(model, board, said) {}
+        : model_(model),
+          board_(board),
+          known_(known),
+          said_(said),
+          resultants_(model, board, known, said),
+          settled_(model, board, said) {}
 
     /// `beside_couples`: also bodies with a couple; tried last.
     bool lines(const Group& group, const std::vector<Load>& loads, Run& run, bool beside_couples);
@@ -22,6 +28,9 @@ public:
     bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run);
 
 private:
+    void note_balanced(const Wrench& known, const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// A sentence of the body's other forces, which says what acts besides them.
+    void say_of_others(const Group& group, Key sentence, std::vector<Argument> arguments, const char* source = "");
     /// Two forces only: equal, opposite, on one line.
     bool two_forces(const Group& group, const std::vector<int>& pins, const std::vector<int>& guides,
                     const std::vector<int>& fixed, Run& run);
@@ -36,7 +45,9 @@ private:
     Board& board_;
     const KnownForces& known_;
     ForceSentences& said_;
+    Resultants resultants_;
     Settling settled_;
+    Symbols balanced_;  ///< the known forces on the body in question, which are in equilibrium
 };
 
 }  // namespace kinegraph::statics

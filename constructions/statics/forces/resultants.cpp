@@ -34,7 +34,7 @@ std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<L
     // couple is separate.
     const bool is_moved_before = group.size() == 1 && !said_.has_mark();
     for (const Load& load : loads) {
-        if (!in(group, load.member) || model_.is_inner(load, group)) continue;
+        if (!in(group, load.member) || ForceModel::is_inner(load, group, loads)) continue;
         if (is_moved_before && inertia_force_with(load, loads) != nullptr) continue;
         const Load* const couple = is_moved_before ? inertia_couple_with(load, loads) : nullptr;
         const PlaceOnDrawing place =

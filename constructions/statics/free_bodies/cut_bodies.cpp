@@ -31,7 +31,8 @@ void CutBodies::cut_together(const Run& run) {
         if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
         std::vector<std::pair<MemberIndex, Side>> sides;
         for (const Load& load : *under_.loads)
-            if (load.force && in(balanced.group, load.member) && !model_.is_inner(load, balanced.group))
+            if (load.force && in(balanced.group, load.member) &&
+                !ForceModel::is_inner(load, balanced.group, *under_.loads))
                 sides.push_back({load.member,
                                  {load.symbol, *load.force, -1, true,
                                   quantity_of(way_.empty_body(load.member), way_.applied_load(load))}});
