@@ -122,7 +122,7 @@ private:
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
             const LoadCase loads(solution_, part_of(solution_, StatementIndex(i)));
-            for (const FreeBody* body : closed_by(loads, StatementIndex(i)))
+            for (const FreeBody* body : solved_by(loads, StatementIndex(i)))
                 if (Block block = force_equation_block(context_, loads, *body, true);
                     block.width > 0 && block.width <= measure_ - indent)
                     equations.emplace_back(std::move(block));
@@ -665,28 +665,41 @@ void Bands::collect_virtual_work() {
     add_items(virtual_work_items(solution_, context_.language), "virtual-work-");
 }
 
-/// In the order of solving: free body and polygon. Bodies with two forces share a band.
+/// In the order of solving: free body and polygon, and bodies taken together where they are solved. Bodies with two
+/// forces share a band.
 void Bands::collect_bodies() {
     constexpr std::size_t most_in_a_row = 4;
-    for (std::size_t i = 0; i < solution_.taken_together.size(); ++i)
-        add({{FigureKind::forces_together, static_cast<int>(i)}});
-    std::vector<const FreeBody*> order;
-    for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
-    std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
-        const auto rank = [](const FreeBody& body) {
-            return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number();
-        };
-        return rank(*a) < rank(*b);
-    });
+    struct Cut {
+        FigureId free;
+        const FreeBody* body;  ///< none: of bodies taken together
+        int solved;
+    };
+    std::vector<Cut> order;
+    for (const TakenTogether& each : solution_.taken_together)
+        order.push_back({{FigureKind::forces_together, static_cast<int>(&each - solution_.taken_together.data())},
+                         nullptr,
+                         each.statement.number()});
+    for (const FreeBody& body : solution_.free_bodies) {
+        const bool apart = body.statement == none || body.in_parts;
+        order.push_back({{FigureKind::free_body, static_cast<int>(&body - solution_.free_bodies.data())},
+                         &body,
+                         apart ? 1 << 30 : body.statement.number()});
+    }
+    std::stable_sort(order.begin(), order.end(), [](const Cut& a, const Cut& b) { return a.solved < b.solved; });
     // Bars share one band, after their forces are known. A bar whose sentence finds a force that a polygon needs stands
     // before that polygon.
     if (detail_ == SolutionDetail::brief)
-        std::stable_partition(order.begin(), order.end(), [&](const FreeBody* body) {
-            return has_force_polygon(solution_, *body) || leads_to_polygon(solution_, *body);
+        std::stable_partition(order.begin(), order.end(), [&](const Cut& cut) {
+            return cut.body == nullptr || has_force_polygon(solution_, *cut.body) ||
+                   leads_to_polygon(solution_, *cut.body);
         });
     bool of_two_forces = false;
-    for (const FreeBody* body : order) {
-        const FigureId free{FigureKind::free_body, static_cast<int>(body - solution_.free_bodies.data())};
+    for (const auto& [free, body, solved] : order) {
+        if (body == nullptr) {
+            add({free});
+            of_two_forces = false;
+            continue;
+        }
         const auto joined = wanted_.joined_parts_of(*body);
         const bool has_polygon = joined || has_force_polygon(solution_, *body);
         if (!has_polygon && of_two_forces && list.back().figures.size() < most_in_a_row)

@@ -118,9 +118,9 @@ struct EquationColumn {
 EquationColumn equation_column(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
                                const AppliedForce& applied, const Symbol& symbol) {
     EquationColumn column;
-    column.magnitude = is_load(applied);
-    if (applied.is_reaction())
-        if (const FreeBody* other = opposite(loads, body, applied)) column.magnitude = other < &body;
+    // What an earlier sentence found is known.
+    column.magnitude =
+        is_load(applied) || (applied.force_statement != none && applied.force_statement < body.statement);
     // Nothing determines the line of this hinge force: magnitude and direction are both sought, and the polygon gives
     // them together.
     const std::optional<RichText> line = line_of(context, loads, body, applied);
@@ -446,6 +446,22 @@ std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex sta
     for (const FreeBody& body : loads.bodies())
         if (!body.in_parts && body.statement == statement) closed.push_back(&body);
     return closed;
+}
+
+std::vector<const FreeBody*> solved_by(const LoadCase& loads, StatementIndex statement) {
+    const Solution& solution = loads.solution();
+    const Statement& said = solution.protocol.statements[at_index(statement)];
+    const BodyName* const about =
+        said.message.arguments.empty() ? nullptr : std::get_if<BodyName>(&said.message.arguments.front());
+    std::vector<const FreeBody*> solved = closed_by(loads, statement);
+    std::erase_if(solved, [&](const FreeBody* body) {
+        if (about == nullptr) return true;
+        if (body->body == none)
+            return about->as != BodyName::As::pin || about->name != solution.mechanism.point(body->pin).name;
+        // "2+C" is the body with its pin.
+        return said.bodies != std::vector{body->body} || about->name.find('+') != std::string::npos;
+    });
+    return solved;
 }
 
 }  // namespace kinegraph::render

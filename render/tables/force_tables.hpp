@@ -15,6 +15,9 @@ Symbol couple_symbol(const AppliedForce& applied);
 
 /// The bodies whose force polygons a statement closes; no later statement finds a force on them.
 std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex statement);
+/// Those of them of which the statement speaks, each by itself: it solves their equations. The others are closed by
+/// what it finds elsewhere.
+std::vector<const FreeBody*> solved_by(const LoadCase& loads, StatementIndex statement);
 
 /// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. An empty block (no
 /// width) if the forces were not found by closing this polygon alone. `loads`: under which the body is cut free.

@@ -196,6 +196,31 @@ TEST(Bands, UseNoForceBeforeTheSentenceThatFindsIt) {
     EXPECT_GT(used, 0U);
 }
 
+/// What bodies are taken together for may hang on a force that another body gave before.
+TEST(Bands, TakeBodiesTogetherWhereTheyAreSolved) {
+    // The lever's load presses on the slider: that force is known before rod and slider are taken together.
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1,
+        "points": {"O": [0, 0], "A": [3, 4], "B": [15, 0], "G": [9, 4], "P": [16, 0], "C": [16, 5], "D": [12, 5]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "G"], "4": ["B", "P"], "5": ["C", "D"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0},
+        {"revolute": "C", "bodies": [1, 5]}, {"contact": "P", "bodies": [4, 5], "tangent": 90, "pushes": [-1, 0]}],
+        "loads": [{"force": "Q", "body": 3, "at": "G", "value": [1, -6]},
+        {"force": "W", "body": 5, "at": "D", "value": [0, 5]}], "effort": {"couple": "M", "body": 2}})");
+    ASSERT_FALSE(solution.taken_together.empty());
+    const std::vector<StatementIndex> order = in_order_of_numbers(lay_out(solution, {}, fonts()));
+    const StatementIndex together = solution.taken_together.front().statement;
+    const auto place = [&](StatementIndex of) { return std::find(order.begin(), order.end(), of) - order.begin(); };
+    int before = 0;
+    for (const FreeBody& body : solution.free_bodies)
+        for (const AppliedForce& each : body.forces)
+            if (each.force_statement != none && each.force_statement < together) {
+                EXPECT_LT(place(each.force_statement), place(together)) << name_of(each.symbol);
+                ++before;
+            }
+    EXPECT_GT(before, 0) << "nothing is found before";
+}
+
 /// How full pages are is a matter of taste: reported, and bounded only where something has gone wrong.
 TEST(Bands, LeaveNoPageNearlyEmpty) {
     const SheetFormat format = format_of(Paper::a4, Orientation::landscape);
