@@ -252,11 +252,11 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
     for (const std::size_t figure : band.figures) {
         sizes.push_back(measured_.sizes(figure, force_scale_, range));
         if (!not_coarser_) continue;
-        constexpr double rounding = 1e-9;
+        constexpr double same = 1 + 1e-9;
         const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));
         if (kept == not_coarser_->of_figures.end()) continue;
         std::erase_if(sizes.back(), [&](const FigureSize& size) {
-            return !(size.x > 0) || size.scale > kept->second * (1 + rounding);
+            return !(size.x > 0) || size.scale > kept->second * same;
         });
     }
     return {*now_.texts, band, wanted_, measured_, format_, std::move(sizes), !wide_.contains(band.question)};
