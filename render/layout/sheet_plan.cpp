@@ -255,9 +255,8 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
         constexpr double same = 1 + 1e-9;
         const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));
         if (kept == not_coarser_->of_figures.end()) continue;
-        std::erase_if(sizes.back(), [&](const FigureSize& size) {
-            return !(size.x > 0) || size.scale > kept->second * same;
-        });
+        std::erase_if(sizes.back(),
+                      [&](const FigureSize& size) { return !(size.x > 0) || size.scale > kept->second * same; });
     }
     return {*now_.texts, band, wanted_, measured_, format_, std::move(sizes), !wide_.contains(band.question)};
 }
