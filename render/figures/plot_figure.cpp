@@ -330,7 +330,7 @@ private:
         const auto [least, most] = extremes_of(table_, column);
         for (const bool below : {false, true}) {
             const Extreme& each = below ? least : most;
-            if (each.value == 0 || is_unbounded(table_, column, below)) continue;
+            if (each.value == 0 || is_unbounded(table_, column, below) || is_beside_gap(table_, each)) continue;
             mark(curve, at(in_x(each.at), in_y(each.value)), number(in_y(each.value), 4, context_.language), false);
         }
         const std::vector<double> zeros = zeros_of(table_, column);

@@ -111,11 +111,13 @@ private:
             return cells(block, {name, value, {}, value, {}}, theme_.text);
         }
         const auto value = [&](const Extreme& each, bool below) {
+            if (is_beside_gap(table_, each)) return one_piece("–");
             return is_unbounded(table_, column, below) ? one_piece(word(lang::sheet::without_limit, context_.language))
                                                        : with_powers(amount(each.value, of));
         };
         const auto where = [&](const Extreme& each, bool below) {
-            return is_unbounded(table_, column, below) ? RichText() : one_piece(place(each.at));
+            return is_unbounded(table_, column, below) || is_beside_gap(table_, each) ? RichText()
+                                                                                      : one_piece(place(each.at));
         };
         cells(block, {name, value(least, true), where(least, true), value(most, false), where(most, false)},
               theme_.text);
@@ -171,13 +173,13 @@ private:
         // Of all other columns nothing but their poles is told, and there may be thousands.
         if (of.kind != Column::Kind::slid && of.quantity.kind != Kind::effort) return tell_of_poles(column, said);
         const auto [least, most] = extremes_of(table_, column);
-        if (of.kind == Column::Kind::slid) {
+        if (of.kind == Column::Kind::slid && !is_beside_gap(table_, least) && !is_beside_gap(table_, most)) {
             say(lang::sheet::stroke, amount(most.value - least.value, of));
             // For a full turn at constant speed the time is proportional to the rotation between the two ends of the
-            // stroke.
+            // stroke, if it goes forth once and back once.
             const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
             if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 ||
-                one == whole || rests(column, least) || rests(column, most))
+                one == whole || rests(column, least) || rests(column, most) || reversals(column) != 2)
                 return;
             const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
             // Equal times in both directions are no quick return.
@@ -223,6 +225,18 @@ private:
         }
     }
 
+    /// How often a column turns round in a whole turn, of which the last row is the first again.
+    std::size_t reversals(std::size_t column) const {
+        const double rounding = rounding_of(table_, column);
+        std::vector<bool> rising;
+        for (std::size_t i = 1; i < table_.rows.size(); ++i)
+            if (const double step = table_.rows[i][column] - table_.rows[i - 1][column]; std::abs(step) > rounding)
+                rising.push_back(step > 0);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < rising.size(); ++i) count += rising[i] != rising[(i + 1) % rising.size()] ? 1 : 0;
+        return count;
+    }
+
     /// Whether it dwells at its extreme for more than two rows, so that this end of the stroke is not a single
     /// position.
     bool rests(std::size_t column, const Extreme& end) const {
@@ -254,7 +268,7 @@ private:
             std::vector<double> sizes;
             for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
             const auto [least, of_point] = extremes_of(table_, sizes);
-            if (grows_to_a_limit(of_point, sizes)) return std::nullopt;
+            if (grows_to_a_limit(of_point, sizes) || is_beside_gap(table_, of_point)) return std::nullopt;
             if (of_point.value <= largest.value * (1 + rounding)) continue;
             largest = of_point;
             is_same_everywhere = of_point.value - least.value <= rounding * of_point.value;

@@ -67,6 +67,18 @@ std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t col
     return found;
 }
 
+bool is_beside_gap(const CycleTable& table, const Extreme& extreme) {
+    // An extreme between two rows was found there.
+    const auto place = [&](const std::vector<double>& row) { return row[table.over()]; };
+    if (std::none_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return place(row) == extreme.at; }))
+        return false;
+    return std::any_of(table.left_out.begin(), table.left_out.end(), [&](double gap) {
+        return std::none_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+            return (place(row) - gap) * (place(row) - extreme.at) < 0;  // stands between the two
+        });
+    });
+}
+
 std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
     if (const FollowedColumn* followed = followed_of(table, column)) return followed->zeros;
     const std::vector<double> values = values_of(table, column);

@@ -26,6 +26,9 @@ std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t col
 /// The same for any values, one per row.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values);
 
+/// Whether an extreme is that of a row beside positions without one: what there is towards them is not known.
+bool is_beside_gap(const CycleTable& table, const Extreme& extreme);
+
 /// Positions of its zeros, in the order of the rows; not intervals on which it stays zero.
 std::vector<double> zeros_of(const CycleTable& table, std::size_t column);
 

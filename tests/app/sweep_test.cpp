@@ -236,6 +236,17 @@ TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
         << italian.err;
 }
 
+/// Numbers have the minus of the trade, and nothing is −0.
+TEST_F(Sweep, ACamsSpeedsHaveTheSignsOfTheTrade) {
+    std::string text = contents(example_file("cams/disc_cam"));
+    text.replace(text.find("3-4-5"), 5, "constant speed");  // of the fall
+    write("cam.json", text);
+    const std::string told = run("cam cam.json -o cam.csv").err;
+    EXPECT_NE(told.find("from 0 m/s to −0."), std::string::npos) << told;
+    EXPECT_NE(told.find(" m/s to 0 m/s"), std::string::npos) << told;
+    EXPECT_EQ(told.find(" -"), std::string::npos) << told;
+}
+
 TEST_F(Sweep, ACamsSheetHasItsDataAndSaysItsSigns) {
     // Its follower rises clockwise: the pivot lies on the right, the contact on the left.
     write("rocker.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": "200 rpm", "base radius": 35,
@@ -493,6 +504,49 @@ TEST_F(Sweep, TheStrokeOfASlideThatIsDrivenIsItsTravel) {
         ASSERT_NE(run("sweep lift.json -o lift.svg").status, 2);
         EXPECT_NE(contents(folder_ / "lift.svg").find("stroke  s_R0: 1000 mm"), std::string::npos);
     }
+}
+
+/// A slider that turns round four times in a cycle has no one slow stroke. Its toggle passes its dead line twice.
+TEST_F(Sweep, ATimeRatioIsThatOfOneStrokeForthAndOneBack) {
+    const auto ratio_of = [&](const char* pivot) {
+        write("press.json", std::string(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+            "points": {"O": [-250, 100], "A": {"from": "O", "distance": 30, "angle": 40}, "C": [0, 200],
+            "B": {"meet": [{"circle": "A", "radius": )") +
+                                pivot + R"(}, {"circle": "C", "radius": 100}], "near": [0, 100]},
+            "D": {"meet": [{"circle": "B", "radius": 120}, {"line": "C", "angle": 90}], "near": [0, -20]}},
+            "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["C", "B"], "5": ["B", "D"], "6": ["D"]},
+            "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "B", "bodies": [3, 4, 5]}, {"revolute": "C", "bodies": [1, 4]},
+            {"revolute": "D", "bodies": [5, 6]}, {"prismatic": "D", "bodies": [6, 1], "along": 90}],
+            "drivers": [{"body": 2, "omega": 10}], "find": ["velocity"]})");
+        const Outcome swept = run("sweep press.json --steps 72 -o a.svg");
+        EXPECT_EQ(swept.status, 0) << swept.err;
+        return contents(folder_ / "a.svg").find("time ratio") != std::string::npos;
+    };
+    EXPECT_FALSE(ratio_of("240")) << "through the dead line and back: four turns";
+    EXPECT_TRUE(ratio_of("205")) << "short of it: two";
+}
+
+/// Rows that do not close leave the extremes beside them open: the first row that closes is none.
+TEST_F(Sweep, AnExtremeBesideRowsThatAreLeftOutIsNotSaid) {
+    write("crank.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "parameters": {"k": 3}, "frame": 1,
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 60},
+        "B": {"meet": [{"circle": "A", "radius": "= k*50 mm"}, {"line": "O", "angle": 0}], "side": "ahead"}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 2, "omega": 10}]})");
+    const auto first_row = [&](const char* from) {
+        const Outcome swept = run(std::string("sweep crank.json --over k --from ") + from +
+                                  " --to 4 --steps 8 --plot 'omega 3' -o a.csv -o a.svg");
+        EXPECT_NE(swept.status, 2) << swept.err;
+        const std::string svg = contents(folder_ / "a.svg");
+        const std::size_t table = svg.find("Extremes");
+        EXPECT_NE(table, std::string::npos);
+        return svg.find("–", table) != std::string::npos;
+    };
+    EXPECT_TRUE(first_row("0.5")) << "below sin 60° it does not close";
+    EXPECT_FALSE(first_row("1"));
 }
 
 TEST_F(Sweep, PolesOverAParameterAreFoundBetweenTheRowsAndOnThem) {
