@@ -67,6 +67,8 @@ public:
     }
 
 private:
+    static constexpr double near_the_solution = 0.5;  // of its size
+
     bool of_motion() const { return polygon_.plane != Plane::force; }
     double in_unit(const Exact& si_value) const {
         return (si_is_one_ ? si_value : si_value / scene_.unit.si).to_double();
@@ -220,10 +222,32 @@ private:
         }
     }
 
+    /// The errors of closing belong in the picture, since a sentence speaks of them: where one lies apart from the
+    /// solution, the picture grows, as far as the solution stays large enough to be read.
+    void make_room_for_misses() {
+        constexpr double most_growth = 6;
+        Place least = scene_.least, most = scene_.most;
+        for (const DrawnMiss& miss : protocol_.trials.misses)
+            for (const ElementIndex element : {miss.through, miss.foot, miss.tip}) {
+                if (miss.polygon != index_) continue;
+                if (protocol_.point(element).at_infinity()) return;
+                const Place p = place(element);
+                least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+                most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+            }
+        const double size = scene_.size(), off = near_the_solution * size;
+        const bool is_near = least.x > scene_.least.x - off && least.y > scene_.least.y - off &&
+                             most.x < scene_.most.x + off && most.y < scene_.most.y + off;
+        if (is_near || std::max(most.x - least.x, most.y - least.y) > most_growth * size) return;
+        scene_.least = least;
+        scene_.most = most;
+    }
+
     /// Trial lines are clipped to the neighbourhood of the solution.
     void add_trials() {
+        make_room_for_misses();
         const Trials& trials = protocol_.trials;
-        const double near = 0.5 * scene_.size();
+        const double near = near_the_solution * scene_.size();
         const auto is_near = [&](ElementIndex element) {
             if (protocol_.point(element).at_infinity()) return false;
             const Place p = place(element);
