@@ -399,5 +399,48 @@ TEST(ForceResults, AsTextListReactionsAndEfforts) {
     EXPECT_NE(results_table(example("sluice_gate"), Language::it).find("Reazioni"), std::string::npos);
 }
 
+/// Below the equation of a polygon what an earlier sentence found is known, whichever body it was found on; and the
+/// sentence that the equation stands under is about its body.
+TEST(ForceEquations, AskForNothingThatIsFoundAlready) {
+    // Moments of the whole give the roller's reaction before the tie's bodies are cut free.
+    const Solution portal = solved(R"({"kinegraph": 1, "frame": 0,
+        "points": {"A": [0, 0], "B": [6, 0], "C": [3, 5], "D": [0, 4], "E": [6, 4]},
+        "bodies": {"1": ["A", "D", "C"], "2": ["C", "E", "B"], "3": ["D", "E"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]},
+        {"contact": "B", "bodies": [2, 0], "tangent": 0, "pushes": [0, 1]}, {"revolute": "D", "bodies": [1, 3]},
+        {"revolute": "E", "bodies": [2, 3]}],
+        "loads": [{"force": "H", "body": 1, "at": "D", "value": [4, 0]},
+        {"force": "Q", "body": 2, "at": "E", "value": [-1, -9]}]})");
+    std::vector<const Solution*> solutions{&portal};
+    for (const std::string& name : loaded_examples()) solutions.push_back(&example(name));
+    const Theme theme;
+    int equations = 0;
+    for (const Solution* solution : solutions) {
+        const DrawingContext context{*solution, theme, pages::fonts()};
+        const LoadCase loads(*solution);
+        for (std::size_t i = 0; i < solution->protocol.statements.size(); ++i)
+            for (const FreeBody* body : solved_by(loads, StatementIndex(i))) {
+                if (body->body != none) {
+                    EXPECT_EQ(solution->protocol.statements[i].bodies, std::vector{body->body});
+                }
+                const Block block = force_equation_block(context, loads, *body, true);
+                if (!(block.width > 0)) continue;
+                const auto marks = std::count_if(block.marks.begin(), block.marks.end(), [](const Mark& mark) {
+                    const auto* text = std::get_if<TextMark>(&mark);
+                    return text != nullptr && text->words == "?";
+                });
+                // Of a force that this sentence finds, its magnitude is sought, and its direction at most.
+                const auto found =
+                    std::count_if(body->forces.begin(), body->forces.end(), [&](const AppliedForce& each) {
+                        return each.force_statement == StatementIndex(i) && !each.force.is_zero();
+                    });
+                EXPECT_GE(marks, found) << solution->mechanism.source << ", statement " << i;
+                EXPECT_LE(marks, 2 * found) << solution->mechanism.source << ", statement " << i;
+                ++equations;
+            }
+    }
+    EXPECT_GT(equations, 20);
+}
+
 }  // namespace
 }  // namespace force_figures_test

@@ -90,5 +90,27 @@ TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
     EXPECT_GT(of_all, 0);
 }
 
+/// The two errors that the sentence of a trial names are shown, however far the trials miss: a motor between crank and
+/// rod turns the slider of a crank at rest faster than the true one.
+TEST(PolygonScene, ShowsTheErrorsOfItsTrials) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 70},
+        "B": {"meet": [{"circle": "A", "radius": 150}, {"line": [0, -15], "angle": 0}], "side": "ahead"}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 3, "relative to": 2, "omega": 4}]})");
+    ASSERT_EQ(solution.protocol.trials.misses.size(), 4U);
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+        EXPECT_EQ(scene.misses.size(), 2U) << scene.id;
+        for (const int trial : {1, 2})
+            EXPECT_GE(std::count_if(scene.images.begin(), scene.images.end(),
+                                    [&](const SceneImage& each) { return each.trial == trial; }),
+                      2)
+                << scene.id << ", trial " << trial;
+    }
+}
+
 }  // namespace
 }  // namespace polygon_scene_test
