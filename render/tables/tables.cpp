@@ -437,11 +437,16 @@ struct ResultsTable::Parts {
         }
     }
     /// Width available to names beside the numbers, out of `width` mm. Longer names, which are words, stand above their
-    /// numbers; symbols get a wider column instead.
+    /// numbers; symbols get a wider column instead. Readings have the room that those of any scale take, so that the
+    /// table is as high where its page is planned as where it is drawn.
     double room_of_names(double width) const {
         constexpr double of_symbols = 22;
+        const auto sample = [&](const char* text) {
+            return context.fonts.width(with_powers(text), context.theme.body_text);
+        };
+        const Widths readings{0, sample("000.0"), widths[3], 0, 0, sample("+00.00")};
         double rest = width - least_gap * (columns - 1);
-        for (std::size_t c = 1; c < columns; ++c) rest -= widths[c];
+        for (std::size_t c = 1; c < columns; ++c) rest -= std::max(widths[c], readings[c]);
         return std::max(rest, of_symbols);
     }
     /// `most`: the largest number of its group.

@@ -237,7 +237,7 @@ TEST_F(TexFiles, PdflatexDrawsTheSamePicture) {
     dark.language = Language::it;
     dark.theme = built_in_theme("dark").value();
     const std::vector<Sheet> sheets = {
-        {"rotating_body", {}, 0.20}, {"four_bar", {}, 0.45}, {"jansen_leg", {}, 0.65}, {"scissor_lift", dark, 0.55}};
+        {"rotating_body", {}, 0.20}, {"four_bar", {}, 0.50}, {"jansen_leg", {}, 0.65}, {"scissor_lift", dark, 0.55}};
     for (const Sheet& sheet : sheets)
         expect_same_picture(lay_out(example(sheet.example), sheet.options, fonts()), sheet.example, sheet.most);
     const auto page = lay_out_alone(example("four_bar"), {}, "mechanism", fonts());
