@@ -405,6 +405,47 @@ Detail detail_round(const std::vector<Spot>& ends, double scale, double across) 
     return detail;
 }
 
+bool overlap(const Detail& a, const Detail& b) {
+    return length(a.centre - b.centre) <
+           std::max(a.radius, least_circle) + std::max(b.radius, least_circle) + between_circles;
+}
+
+/// Merges clusters whose details overlap, if a common detail still magnifies enough. Returns their details.
+std::vector<Detail> merged(std::vector<Cluster>& clusters, double scale, double across) {
+    std::vector<Detail> rounds;
+    for (const Cluster& each : clusters) rounds.push_back(detail_round(each.ends, scale, across));
+    const auto merges = [&](std::size_t i, std::size_t j) {
+        if (!overlap(rounds[i], rounds[j])) return false;
+        std::vector<Spot> ends = clusters[i].ends;
+        ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
+        const Detail round = detail_round(ends, scale, across);
+        if (round.magnification < least_magnified) return false;
+        clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
+        rounds[i] = round;
+        clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
+        rounds.erase(rounds.begin() + static_cast<std::ptrdiff_t>(j));
+        return true;
+    };
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        for (std::size_t j = i + 1; j < clusters.size();) {
+            if (!merges(i, j)) {
+                ++j;
+                continue;
+            }
+            // A larger one may reach those before it; all other pairs are as they were.
+            for (std::size_t k = 0; k < i;) {
+                if (!merges(k, i)) {
+                    ++k;
+                    continue;
+                }
+                i = k;
+                k = 0;
+            }
+            j = i + 1;
+        }
+    return rounds;
+}
+
 /// The parts within a detail, relative to its centre, in mm at its scale, cut at its circle.
 PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
     const double radius = detail.magnification * detail.radius;
@@ -617,42 +658,7 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
         if (whole < too_short && whole * beside_long < longest && whole * most_magnified > across * magnified)
             clusters.push_back({{vector.tail, vector.tip}, whole});
     }
-    const auto overlap = [&](const Detail& a, const Detail& b) {
-        return length(a.centre - b.centre) <
-               std::max(a.radius, least_circle) + std::max(b.radius, least_circle) + between_circles;
-    };
-    // Clusters whose details overlap are merged if a common detail still magnifies enough.
-    std::vector<Detail> rounds;
-    for (const Cluster& each : clusters) rounds.push_back(detail_round(each.ends, scale, across));
-    const auto merges = [&](std::size_t i, std::size_t j) {
-        if (!overlap(rounds[i], rounds[j])) return false;
-        std::vector<Spot> ends = clusters[i].ends;
-        ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
-        const Detail round = detail_round(ends, scale, across);
-        if (round.magnification < least_magnified) return false;
-        clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
-        rounds[i] = round;
-        clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
-        rounds.erase(rounds.begin() + static_cast<std::ptrdiff_t>(j));
-        return true;
-    };
-    for (std::size_t i = 0; i < clusters.size(); ++i)
-        for (std::size_t j = i + 1; j < clusters.size();) {
-            if (!merges(i, j)) {
-                ++j;
-                continue;
-            }
-            // A larger one may reach those before it; all other pairs are as they were.
-            for (std::size_t k = 0; k < i;) {
-                if (!merges(k, i)) {
-                    ++k;
-                    continue;
-                }
-                i = k;
-                k = 0;
-            }
-            j = i + 1;
-        }
+    const std::vector<Detail> rounds = merged(clusters, scale, across);
     // Of overlapping details the one with the shortest vector is kept.
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < clusters.size(); ++i) order.push_back(i);
