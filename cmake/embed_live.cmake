@@ -23,7 +23,7 @@ foreach(name ${modules})
 endforeach()
 file(READ ${SOURCE}/watch.js text)
 literal(watch "${text}")
-foreach(part page.css controls.html cam.js cam.css cam.html)
+foreach(part page.css controls.html cam/cam.js cam/cam.css cam/cam.html)
     file(READ ${SOURCE}/${part} text)
     string(REGEX REPLACE "\nexport {};" "" text "${text}")
     literal(${part} "${text}")
@@ -39,9 +39,9 @@ constinit const std::string_view live_script =${script};
 constinit const std::string_view live_watch_script = ${watch};
 constinit const std::string_view live_style = ${page.css};
 constinit const std::string_view live_controls = ${controls.html};
-constinit const std::string_view cam_script = ${cam.js};
-constinit const std::string_view cam_style = ${cam.css};
-constinit const std::string_view cam_controls = ${cam.html};
+constinit const std::string_view cam_script = ${cam/cam.js};
+constinit const std::string_view cam_style = ${cam/cam.css};
+constinit const std::string_view cam_controls = ${cam/cam.html};
 
 }  // namespace kinegraph::render
 ")

@@ -11,7 +11,7 @@
 #include "engine/motion/closure.hpp"
 #include "engine/number/functions.hpp"
 #include "lang/keys/sheet.hpp"
-#include "render/live/cam_page.hpp"
+#include "render/live/cam/cam_page.hpp"
 #include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"

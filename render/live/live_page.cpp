@@ -22,7 +22,7 @@
 #include "render/equations/equation_text.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/figures/truss_figures.hpp"
-#include "render/live/html.hpp"
+#include "render/live/html/html.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"

@@ -31,7 +31,7 @@ std::string waiting_page(const std::string& name, const SheetOptions& options, c
 /// render/live/*.js, page.css and controls.html, built into the library.
 extern const std::string_view live_script, live_watch_script, live_style, live_controls;
 
-/// The same of the page of a cam: render/live/cam.js, cam.css and cam.html; its style follows the sheet's.
+/// The same of the page of a cam: render/live/cam/cam.js, cam.css and cam.html; its style follows the sheet's.
 extern const std::string_view cam_script, cam_style, cam_controls;
 
 /// SHA-256 of a text in base 64, for a Content-Security-Policy.

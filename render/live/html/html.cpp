@@ -1,4 +1,4 @@
-#include "render/live/html.hpp"
+#include "render/live/html/html.hpp"
 
 #include <algorithm>
 #include <map>

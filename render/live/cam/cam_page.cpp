@@ -1,4 +1,4 @@
-#include "render/live/cam_page.hpp"
+#include "render/live/cam/cam_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/plot_figure.hpp"
-#include "render/live/html.hpp"
+#include "render/live/html/html.hpp"
 #include "render/live/live_data.hpp"
 #include "render/live/live_page.hpp"
 
