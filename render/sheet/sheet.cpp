@@ -163,8 +163,7 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
         return scales_of_solution(solution, other, fonts);
     }
     const std::size_t size = solution.protocol.statements.size() + solution.mechanism.loads.size();
-    if (options.detail == SolutionDetail::full || size > most_compared)
-        return std::nullopt;
+    if (options.detail == SolutionDetail::full || size > most_compared) return std::nullopt;
     other.detail = SolutionDetail::full;
     KeptScales kept = scales_of_solution(solution, other, fonts);
     kept.hold = KeptScales::Hold::not_coarser;
