@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/file/json_text.hpp"
+#include "engine/file/json_writer.hpp"
 #include "engine/number/functions.hpp"
 #include "lang/keys/live.hpp"
 #include "lang/keys/notation.hpp"
@@ -218,47 +218,40 @@ private:
         return out;
     }
 
-    static std::string list(const std::vector<std::string>& items) {
-        std::string out;
-        for (const std::string& item : items) out += (out.empty() ? "" : ",") + item;
-        return "[" + out + "]";
-    }
-    template <class Value>
-    std::string list_of_states(const Value& value) const {
-        std::vector<std::string> items;
-        for (const CamState& state : rows_.states) items.push_back(value(state));
-        return list(items);
-    }
     /// Rows for the script: turns in degrees, lengths of the drawing, values in the file's units.
     std::string data() const {
         constexpr double degree = std::numbers::pi / 180;
-        const auto pair = [](double x, double y) { return "[" + rounded(x) + "," + rounded(y) + "]"; };
-        std::vector<std::string> columns;
-        for (std::size_t column = 1; column < table_.columns.size(); ++column) {
-            const double unit = unit_of(column).si.to_double();
-            double largest = 0;
-            for (const double value : rows_.columns[column - 1]) largest = std::max(largest, std::abs(value / unit));
-            const double scale = fineness(largest);
-            std::vector<std::string> items;
-            for (const double value : rows_.columns[column - 1])
-                items.push_back(shortest(std::round(value / unit * scale) / scale));
-            columns.push_back(list(items));
-        }
-        const std::string moves =
-            picture_.pivot ? "\"pivot\":" + pair(unit() * picture_.pivot->x, -unit() * picture_.pivot->y) + "," : "";
         const double rises = picture_.pivot ? -geometry_.rises() / degree : -unit();
-        return "{" + moves + "\"sense\":" + rounded(-geometry_.sense()) +
-               ",\"comma\":" + (number(0.5, 1, options_.language) == "0.5" ? "false" : "true") +
-               ",\"words\":{\"play\":" + json_text(in_words(lang::live::play)) +
-               ",\"pause\":" + json_text(in_words(lang::live::pause)) +
-               "},\"turns\":" + list_of_states([&](const CamState& state) { return rounded(state.turn / degree); }) +
-               ",\"rises\":" + list_of_states([&](const CamState& state) { return rounded(rises * state.rise.s); }) +
-               ",\"contacts\":" + list_of_states([&](const CamState& state) {
-                   return pair(unit() * state.contact.x, -unit() * state.contact.y);
-               }) +
-               ",\"normals\":" +
-               list_of_states([&](const CamState& state) { return pair(state.outward.x, -state.outward.y); }) +
-               ",\"columns\":" + list(columns) + "}";
+        JsonWriter json(JsonWriter::Style::script);
+        const auto pair = [&](double x, double y) { json.open('[').json(rounded(x)).json(rounded(y)).close(); };
+        json.open('{');
+        if (picture_.pivot) {
+            json.key("pivot");
+            pair(unit() * picture_.pivot->x, -unit() * picture_.pivot->y);
+        }
+        json.key("sense").json(rounded(-geometry_.sense()));
+        json.member("comma", number(0.5, 1, options_.language) != "0.5");
+        json.key("words").open('{').member("play", in_words(lang::live::play));
+        json.member("pause", in_words(lang::live::pause)).close();
+        json.list("turns", rows_.states, [&](const CamState& state) { json.json(rounded(state.turn / degree)); });
+        json.list("rises", rows_.states, [&](const CamState& state) { json.json(rounded(rises * state.rise.s)); });
+        json.list("contacts", rows_.states,
+                  [&](const CamState& state) { pair(unit() * state.contact.x, -unit() * state.contact.y); });
+        json.list("normals", rows_.states, [&](const CamState& state) { pair(state.outward.x, -state.outward.y); });
+        json.key("columns").open('[');
+        for (std::size_t column = 1; column < table_.columns.size(); ++column) write_values(column, json);
+        return json.close().close().take();
+    }
+    /// Values of a column in its unit, as fine as their drawing shows.
+    void write_values(std::size_t column, JsonWriter& json) const {
+        const double unit = unit_of(column).si.to_double();
+        double largest = 0;
+        for (const double value : rows_.columns[column - 1]) largest = std::max(largest, std::abs(value / unit));
+        const double scale = fineness(largest);
+        json.open('[');
+        for (const double value : rows_.columns[column - 1])
+            json.json(shortest(std::round(value / unit * scale) / scale));
+        json.close();
     }
 
     const Words& title_;
