@@ -60,7 +60,7 @@ struct Record {
 /// None if there is no record, or it was not written by CacheRecord::of.
 std::optional<Record> read_record(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::nullopt;
-    auto text = read_whole(path, {lang::command_line::receipt});
+    auto text = read_whole(path, {lang::command_line::cache_record});
     if (!text || text->find(before_answer) == std::string::npos) return std::nullopt;
     const auto json = nlohmann::json::parse(*text, nullptr, false);
     const auto member = [](const nlohmann::json& of, const char* key) {

@@ -48,7 +48,7 @@ private:
         for (const GivenMotion& each : list) {
             Given<plane> given;
             given.node = act_.structure.find(each.point, act_.body_index);
-            KG_ASSERT(given.node != none, "the body carries the points of its act of motion");
+            KG_ASSERT(given.node != none, "the body carries the points of its instantaneous motion");
             given.whole = std::holds_alternative<Vector>(each.value);
             const auto index = static_cast<int>(state.given.size());
             if constexpr (is_velocity<plane>) {

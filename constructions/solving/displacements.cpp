@@ -70,7 +70,7 @@ public:
 
     Displacements find() {
         if (mechanism_.motion) {
-            found_.why_not = {lang::positions::the_file_gives_the_act};
+            found_.why_not = {lang::positions::the_file_gives_the_motion};
         } else if (solution_.mobility.effective == 0) {
             found_.why_not = {lang::positions::nothing_can_move_it_has_no};
         } else if (choose_coordinates()) {

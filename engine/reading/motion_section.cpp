@@ -25,11 +25,11 @@ constexpr std::array motion_rows{
 
 }  // namespace
 
-constinit const Form forms::motion_of_body{lang::drivers::an_act_of_motion, motion_rows,
-                                           "One rigid body's act of motion, instead of joints and drivers."};
+constinit const Form forms::motion_of_body{lang::drivers::an_instantaneous_motion, motion_rows,
+                                           "One rigid body's instantaneous motion, instead of joints and drivers."};
 
 void MotionSection::read_motion(JsonValue value) {
-    if (!file_.expect(value, Kind::object, {lang::drivers::an_act_of_motion_body_velocities})) return;
+    if (!file_.expect(value, Kind::object, {lang::drivers::an_instantaneous_motion_body_velocities})) return;
     const Members form = file_.members(value, forms::motion_of_body);
     InstantaneousMotion motion;
     motion.where = value.pointer();

@@ -478,7 +478,7 @@ private:
 }  // namespace
 
 Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
-    KG_ASSERT(context.solution.instantaneous_motion, "the figure of an act of motion wants one");
+    KG_ASSERT(context.solution.instantaneous_motion, "the figure of an instantaneous motion wants one");
     const Subject subject(context.solution);
     const InstantaneousMotionDrawing act(context);
     const Mechanism& mechanism = context.solution.mechanism;
@@ -501,7 +501,7 @@ Figure instantaneous_motion_figure(const DrawingContext& context, double room_x,
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
         act.draw(sketch, velocity_scale);
         Figure figure = sketch.finish(begun(context, {FigureKind::mechanism}), "m");
-        figure.caption = one_piece(word(lang::sheet::act_of_motion, context.language));
+        figure.caption = one_piece(word(lang::sheet::instantaneous_motion, context.language));
         if (act.longest() > 0)
             figure.further_scale =
                 "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;

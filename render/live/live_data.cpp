@@ -8,6 +8,7 @@
 #include "engine/file/json_writer.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "lang/keys/live.hpp"
+#include "lang/keys/notation.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/page/figure.hpp"
 #include "render/text/formula.hpp"
@@ -281,7 +282,7 @@ void write_words(Language asked, JsonWriter& json) {
         json.key(code_of(language)).open('{');
         for (std::size_t i = 0; i < lang::live_section.size(); ++i)
             json.key(lang::live_section.name(i)).value(lang::live_section.text(i, language));
-        json.close();
+        json.member("decimal_mark", word(lang::notation::decimal_mark, language)).close();
     }
     json.close();
 }

@@ -312,6 +312,6 @@ export class Page {
         const size = Math.abs(value);
         const text =
             size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
-        return (this.language === 'en' ? text : text.replace('.', ',')).replace('-', '−');
+        return text.replace('.', this.data.words[this.language].decimal_mark).replace('-', '−');
     }
 }

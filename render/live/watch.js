@@ -1,7 +1,10 @@
 // A page that is served while its file is watched: polls for changes, shows the faults of the file, and is replaced by
 // its next version, which starts from the same state. Uses only the public state of the page.
 
-/** @typedef {{line?: number, column?: number, where: string, en: string, it: string}} FileFault */
+/**
+ * A fault, by language its text.
+ * @typedef {{line?: number, column?: number, where: string, [language: string]: string | number | undefined}} FileFault
+ */
 
 class Watching {
     constructor() {
@@ -57,7 +60,7 @@ class Watching {
         return this.data.words[this.language][key];
     }
     get language() {
-        return document.documentElement.lang === 'it' ? 'it' : 'en';
+        return document.documentElement.lang;
     }
     show() {
         const {place, faults} = this;

@@ -56,7 +56,7 @@ protected:
                      '\n';
         return lines;
     }
-    /// What lies in a folder, names with bytes, receipts and what is not yet in place left out.
+    /// What lies in a folder, names with bytes, cache records and what is not yet in place left out.
     Snapshot files(const std::string& name) const {
         Snapshot all;
         if (!fs::exists(folder_ / name)) return all;

@@ -285,6 +285,25 @@ TEST_F(Documents, NameTheOptionsThatThereAre) {
         EXPECT_TRUE(known.contains(each)) << each << " is in the documents and in no command";
 }
 
+TEST_F(Documents, NameFilesThatThereAre) {
+    const std::filesystem::path top = KINEGRAPH_TESTS_DIR "/..";
+    std::vector<std::filesystem::path> documents = {top / "README.md", top / "CONTRIBUTING.md"};
+    for (const auto& each : std::filesystem::directory_iterator(top / "docs"))
+        if (each.path().extension() == ".md") documents.push_back(each.path());
+    // With a folder of the sources before it, and without letters that stand for a name.
+    static const std::regex place("(app|constructions|engine|include|lang|problems|render|tests)/[a-z_./]*");
+    int named = 0;
+    for (const std::filesystem::path& path : documents) {
+        std::ifstream file(path);
+        for (const std::string& code : codes_in({std::istreambuf_iterator<char>(file), {}})) {
+            if (!std::regex_match(code, place)) continue;
+            ++named;
+            EXPECT_TRUE(std::filesystem::exists(top / code)) << path << ": " << code;
+        }
+    }
+    EXPECT_GE(named, 50);
+}
+
 TEST_F(Documents, ListTheExitStatusesOfTheHelp) {
     const std::string help = run("--help").out;
     for (const Cells& row : table_in(document("command_line.md"), "status | |"))

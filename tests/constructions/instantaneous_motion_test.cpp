@@ -1,4 +1,4 @@
-// The act of motion of one body: whatever is given of a rigid motion, in vectors or in directions, gives it back
+// The instantaneous motion of one body: whatever is given of a rigid motion, in vectors or in directions, gives it back
 // exactly; what no rigid body has is refused with the projections that show it; what the data leave open is said. And
 // its figure.
 #include <gtest/gtest.h>

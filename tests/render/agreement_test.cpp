@@ -66,7 +66,7 @@ std::vector<Page> sheet(const fs::path& file) {
 fs::path example(const std::string& name) { return fs::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json"); }
 
 /// Each for what it draws: plain polygons, line kinds of many bodies, Coriolis terms and forces, slots, teeth, cams,
-/// rolling, force triangles, free bodies of parallel forces, an act of motion, centres at infinity, hatching and
+/// rolling, force triangles, free bodies of parallel forces, an instantaneous motion, centres at infinity, hatching and
 /// cylinders.
 std::vector<fs::path> chosen_examples() {
     std::vector<fs::path> files;
