@@ -12,22 +12,40 @@ namespace kinegraph::render {
 
 Occupancy::Occupancy(Spot origin, Spot size, const std::vector<Spot>& inked)
     : origin_(origin), columns_(static_cast<int>(std::ceil(size.x))), rows_(static_cast<int>(std::ceil(size.y))) {
-    const auto width = static_cast<std::size_t>(columns_) + 1;
-    inked_.assign(width * (static_cast<std::size_t>(rows_) + 1), 0);
+    const auto cell_of = [](Spot spot) { return Cell{static_cast<int>(spot.x), static_cast<int>(spot.y)}; };
+    const auto is_within = [&](Spot spot) { return spot.x >= 0 && spot.y >= 0 && spot.x < columns_ && spot.y < rows_; };
+    first_ = {columns_, rows_};
+    end_ = {0, 0};
     for (const Spot& each : inked) {
         const Spot spot = each - origin;
-        if (spot.x < 0 || spot.y < 0 || spot.x >= columns_ || spot.y >= rows_) continue;
-        inked_[(static_cast<std::size_t>(spot.y) + 1) * width + static_cast<std::size_t>(spot.x) + 1] = 1;
+        if (!is_within(spot)) continue;
+        const Cell cell = cell_of(spot);
+        first_ = {std::min(first_.x, cell.x), std::min(first_.y, cell.y)};
+        end_ = {std::max(end_.x, cell.x + 1), std::max(end_.y, cell.y + 1)};
     }
-    for (std::size_t corner = width; corner < inked_.size(); ++corner)
-        if (corner % width != 0) inked_[corner] += inked_[corner - 1];
-    for (std::size_t corner = width; corner < inked_.size(); ++corner) inked_[corner] += inked_[corner - width];
+    if (end_.x == 0) first_ = end_;
+    const std::size_t width = corners_in_a_row();
+    inked_.assign(width * (static_cast<std::size_t>(end_.y - first_.y) + 1), 0);
+    for (const Spot& each : inked) {
+        const Spot spot = each - origin;
+        if (!is_within(spot)) continue;
+        const Cell cell = cell_of(spot);
+        inked_[(static_cast<std::size_t>(cell.y - first_.y) + 1) * width + static_cast<std::size_t>(cell.x - first_.x) +
+               1] = 1;
+    }
+    for (std::size_t row = width; row < inked_.size(); row += width) {
+        int in_row = 0;
+        for (std::size_t corner = row + 1; corner < row + width; ++corner) {
+            in_row += inked_[corner];
+            inked_[corner] = in_row + inked_[corner - width];
+        }
+    }
 }
 
 int Occupancy::inked_in(int left, int right, int top, int bottom) const {
     const auto at = [&](int x, int y) {
-        return inked_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(columns_) + 1) +
-                      static_cast<std::size_t>(x)];
+        return inked_[static_cast<std::size_t>(std::clamp(y, first_.y, end_.y) - first_.y) * corners_in_a_row() +
+                      static_cast<std::size_t>(std::clamp(x, first_.x, end_.x) - first_.x)];
     };
     return at(right, bottom) - at(right, top) - at(left, bottom) + at(left, top);
 }
@@ -44,6 +62,9 @@ bool Occupancy::is_free(const Box& box) const {
 
 bool Occupancy::has_free(int columns, int rows) const {
     if (columns <= 0 || rows <= 0) return true;
+    if (columns > columns_ || rows > rows_) return false;
+    // Beside everything that is inked.
+    if (columns <= std::max(first_.x, columns_ - end_.x) || rows <= std::max(first_.y, rows_ - end_.y)) return true;
     for (int y = 0; y + rows <= rows_; ++y)
         for (int x = 0; x + columns <= columns_; ++x)
             if (inked_in(x, x + columns, y, y + rows) == 0) return true;

@@ -1,6 +1,7 @@
 // Free room: which parts of a page or a figure are inked, to about a millimetre. Depends on marks and boxes only.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -21,11 +22,16 @@ public:
     bool has_free(int columns, int rows) const;
 
 private:
+    struct Cell {
+        int x = 0, y = 0;
+    };
     int inked_in(int left, int right, int top, int bottom) const;
+    std::size_t corners_in_a_row() const { return static_cast<std::size_t>(end_.x - first_.x) + 1; }
 
     Spot origin_;
     int columns_, rows_;
-    std::vector<int> inked_;  // above and left of each corner of a cell
+    Cell first_, end_;        // of the cells that are inked; the rest needs no table
+    std::vector<int> inked_;  // above and left of each corner of these
 };
 
 /// Spots that the marks cover, about one per millimetre; text and filled areas count as their boxes.
