@@ -216,7 +216,8 @@ struct MechanismFigure {
         if (!shows.arrows.accelerations_of_drivers || accelerations_given() == 0) return figure;
         // Given accelerations are shown only if the mechanism does not become smaller. With a key for names it is small
         // anyway.
-        if (figure.has_key) return figure;
+        const bool is_finest = !wish.asked && figure.scale <= policy.first;
+        if (figure.has_key || is_finest) return figure;
         Figure without = fitted_with({shows.arrows.found, false});
         return without.scale < figure.scale ? without : figure;
     }

@@ -217,14 +217,15 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& w
     return all;
 }
 
-/// The drawing of a figure for a measure, made once. What has no room on the page at a scale came coarser, which is the
-/// drawing of the next one.
+/// The drawing of a figure for a measure, made once. What had room at the finest scale is the same drawing whether or
+/// not it might have come coarser.
 std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
     std::deque<Drawing>& known = drawings_[figure];
     for (std::size_t i = 0; i < known.size(); ++i)
         if (known[i].room.x == measure.room.x && known[i].room.y == measure.room.y &&
             known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
-            known[i].wish.strict == measure.wish.strict && known[i].wish.exactly == measure.wish.exactly)
+            known[i].wish.strict == measure.wish.strict &&
+            (known[i].wish.exactly == measure.wish.exactly || known[i].figure.scale == measure.wish.finest))
             return i;
     Drawing drawing{measure.room, measure.wish, wanted_.draw(figure, measure.room, measure.wish)};
     known.push_back(std::move(drawing));
