@@ -11,7 +11,8 @@ Expected<std::string> geogebra_xml(const Solved& solved, const DrawingOptions& o
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
     if (!solved.state().source) return refused(Diagnostic::Kind::bad_input, {lang::library::geogebra_takes_the_drawn});
-    auto xml = render::geogebra_xml(solved.state().solution, sheet->theme, options.language);
+    const Solution& solution = solved.state().solution;
+    auto xml = render::geogebra_xml(solution, with_colours_of(*sheet, solution.mechanism).theme, options.language);
     if (!xml) return refused(Diagnostic::Kind::bad_input, xml.error());
     return *std::move(xml);
 }

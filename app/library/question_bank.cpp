@@ -64,7 +64,8 @@ Expected<std::vector<std::string>> QuestionBank::add(const std::string& number, 
     State::Row row{{}, {}, variant.values, files};
     const auto figure =
         drawing_of(state_->options, [&](const render::SheetOptions& sheet, const render::Fonts& fonts, auto&) {
-            row.item = render::quiz_item_of(solved.solution, asked, sheet, fonts);
+            const render::SheetOptions coloured = with_colours_of(sheet, solved.solution.mechanism);
+            row.item = render::quiz_item_of(solved.solution, asked, coloured, fonts);
             return std::vector{row.item.figure};
         });
     if (!figure) return tl::unexpected(figure.error());

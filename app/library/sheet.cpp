@@ -13,6 +13,7 @@
 #include "render/backends/backends.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/live/live_page.hpp"
+#include "render/page/body_colours.hpp"
 #include "render/page/theme.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
@@ -38,6 +39,11 @@ Expected<const render::Fonts*> fonts_of_thread() {
 
 std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
     return options.theme_file.empty() && options.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
+}
+
+render::SheetOptions with_colours_of(render::SheetOptions options, const Mechanism& mechanism) {
+    options.theme = render::with_colours_of(std::move(options.theme), mechanism);
+    return options;
 }
 
 namespace {
@@ -82,8 +88,9 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
 
 /// The pages of one solution; adds remarks to `remarks`.
 Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
-                                             const render::SheetOptions& options, const render::Fonts& fonts,
+                                             const render::SheetOptions& any, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
+    const render::SheetOptions options = with_colours_of(any, solution.mechanism);
     if (const auto beyond = wanted.steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
         return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
     const bool has_joints = !stands_for_joints(solution.mechanism);
@@ -291,7 +298,10 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
     const Solution& solution = solved.state().solution;
     const auto moving = solution.mechanism.drivers.empty() ? standing_of(solution) : moving_of(solution, file);
-    std::string html = render::live_page(solution, moving, *sheet, dark_beside(options), **fonts, version);
+    auto dark = dark_beside(options);
+    if (dark) dark = render::with_colours_of(*std::move(dark), solution.mechanism);
+    const render::SheetOptions coloured = with_colours_of(*sheet, solution.mechanism);
+    std::string html = render::live_page(solution, moving, coloured, dark, **fonts, version);
     std::vector<Text> remarks;
     if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
     if (!solution.mechanism.cam_file.empty()) remarks.push_back(text_of(app::cam_stays(solution.mechanism)));

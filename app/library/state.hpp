@@ -80,6 +80,8 @@ ResultValue value_of(const NamedResult& result, const Solution& solution);
 
 /// Error: the faults of a theme file, or an unknown theme name.
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
+/// With the colours that the file gives its bodies.
+render::SheetOptions with_colours_of(render::SheetOptions options, const Mechanism& mechanism);
 /// The theme of a live page on dark screens. The built-in colour theme is combined with the dark one; any other choice
 /// is used as it is.
 std::optional<render::Theme> dark_beside(const DrawingOptions& options);

@@ -202,7 +202,8 @@ Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
                           const auto drawn = solve(std::move(plain));
                           if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
                           const std::vector<render::Way> ways = state.finish_table();
-                          return render::lay_out_cycle(*drawn, state.table, state.plots, ways, sheet, fonts);
+                          return render::lay_out_cycle(*drawn, state.table, state.plots, ways,
+                                                       with_colours_of(sheet, state.mechanism), fonts);
                       });
 }
 
@@ -225,7 +226,8 @@ Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& op
                           const std::vector<render::FilmFrame> positions = state.film_frames(frames);
                           if (positions.empty())
                               return refused(Diagnostic::Kind::no_unique_answer, {lang::sweeps::a_film_shows_a_driver});
-                          return render::lay_out_film(positions, state.table, state.plots, ways, sheet, fonts);
+                          return render::lay_out_film(positions, state.table, state.plots, ways,
+                                                      with_colours_of(sheet, state.mechanism), fonts);
                       });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -93,6 +94,7 @@ struct Body {
     Words label;
     std::optional<Circle> circle;
     std::string where;
+    std::optional<std::uint32_t> colour = std::nullopt;  ///< 0xRRGGBB; none: the theme's
 };
 
 /// Profile of one body at a contact.

@@ -1,3 +1,4 @@
+#include "engine/file/colour_text.hpp"
 #include "engine/reading/sections.hpp"
 #include "lang/keys/bodies.hpp"
 #include "lang/keys/common.hpp"
@@ -14,10 +15,14 @@ constexpr std::array body_circle_rows{
 constexpr Form body_circle{lang::bodies::a_body_circle, body_circle_rows, "A disc, a wheel, a pitch circle."};
 
 constexpr FormValue points_of_body = values::list(values::point_in_array);
-constexpr std::array body_rows{FormRow("points", "[…]", points_of_body).called(lang::bodies::an_array_of_points),
-                               FormRow("label", "\"…\"", values::texts),
-                               FormRow("circle", R"({"centre": P, "radius": r})", values::object(body_circle))
-                                   .called(lang::bodies::centre_radius)};
+constexpr FormValue body_colour =
+    values::json(R"("type": "string", "pattern": "^#[0-9A-Fa-f]{6}$", "examples": ["#c04020"])")
+        .named("colour", "The body's colour in all figures, in place of the theme's.");
+constexpr std::array body_rows{
+    FormRow("points", "[…]", points_of_body).called(lang::bodies::an_array_of_points),
+    FormRow("label", "\"…\"", values::texts),
+    FormRow("circle", R"({"centre": P, "radius": r})", values::object(body_circle)).called(lang::bodies::centre_radius),
+    FormRow("colour", R"("#RRGGBB")", body_colour)};
 constexpr Form body_form{lang::bodies::a_body, body_rows};
 constexpr std::array body_choices{points_of_body, values::object(body_form)};
 
@@ -65,12 +70,24 @@ void BodiesSection::read_bodies(JsonValue bodies) {
             if (form["label"]) body_at(index).label = file_.words(form["label"]);
             if (const Members circle = form.form("circle"))
                 body_at(index).circle = Circle{circle.point("centre"), circle.quantity_or_default("radius")};
+            if (form["colour"]) read_colour(form["colour"], index);
             points = form.expected("points");
             if (!points) continue;
         } else if (!file_.expect(points, Kind::array, {lang::bodies::an_array_of_points_or_points})) {
             continue;
         }
         for (const JsonValue name : points) carry(index, file_.point(name, true));
+    }
+}
+
+void BodiesSection::read_colour(JsonValue colour, BodyIndex index) {
+    const auto read = colour.is_string() ? colour_of_text(colour.text()) : std::nullopt;
+    if (!read) {
+        file_.fault(colour, {lang::bodies::a_colour_is_written});
+    } else if (index == frame) {
+        file_.fault(colour, {lang::bodies::the_frame_has_no_colour});
+    } else if (index != none) {
+        body_at(index).colour = *read;
     }
 }
 

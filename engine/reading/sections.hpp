@@ -34,6 +34,7 @@ public:
 private:
     using Kind = FormReader::Kind;
 
+    void read_colour(JsonValue colour, BodyIndex index);
     Body& body_at(BodyIndex index) { return mechanism_.bodies[at_index(index)]; }
 
     FormReader& file_;

@@ -12,7 +12,7 @@ namespace kinegraph::render {
 namespace {
 
 /// The mantissas of scales within one decade.
-constexpr double steps[] = {1, 2, 2.5, 5};
+constexpr double round_numbers[] = {1, 2, 2.5, 5};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
     if (!(least > 0) || !std::isfinite(least)) return 1;
     const int exponent = static_cast<int>(std::floor(nearest::log10(least))) - 1;
     for (int e = exponent;; ++e)
-        for (const double step : steps)
+        for (const double step : round_numbers)
             if (decimal(step, e) >= least * (1 - 1e-12)) return decimal(step, e);
 }
 

@@ -7,10 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "engine/file/colour_text.hpp"
 #include "engine/file/json_source.hpp"
 #include "engine/file/units.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/themes.hpp"
+#include "render/page/body_colours.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 Theme print() {
     constexpr Colour black{0x00, 0x00, 0x00}, grey{0x6E, 0x6E, 0x6E}, white{0xFF, 0xFF, 0xFF};
     Theme theme;
+    theme.in_one_ink = true;
     theme.bodies.clear();
     theme.paper = white;
     theme.text = black;
@@ -167,17 +170,10 @@ private:
 
     void read(JsonValue value, Colour& colour) {
         if (!value) return;
-        const std::string_view text = value.text();
-        unsigned number = 0;
-        const bool written =
-            value.is_string() && text.size() == 7 && text[0] == '#' &&
-            std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
-        if (!written) {
+        if (const auto written = value.is_string() ? colour_of_text(value.text()) : std::nullopt)
+            colour = colour_of_number(*written);
+        else
             fault(value, {lang::themes::a_colour_is_wanted_here});
-            return;
-        }
-        colour = {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8 & 0xFF),
-                  static_cast<std::uint8_t>(number & 0xFF)};
     }
 
     void read(JsonValue value, double& measure, double least, double most) {

@@ -32,6 +32,7 @@ struct Theme {
     Colour skeleton{0x9A, 0x9A, 0xA2};   ///< the mechanism under vectors
     Colour faint{0xC4, 0xC4, 0xCA};      ///< auxiliary lines behind all others
     Colour accent{0xA0, 0x12, 0x7C};     ///< additions of the current step; earlier content is then secondary
+    bool in_one_ink = false;             ///< a colour that the file gives a body is not drawn
     /// By body (the frame not counted), cyclic. Five colours, safe for colour-blind readers and distinct in grey by
     /// lightness; from the sixth body on with dashes.
     std::vector<BodyColour> bodies = with_line_kinds({{{0xC8, 0x40, 0x0F}, {0xF9, 0xE3, 0xDA}, {0xB5, 0x38, 0x0B}},

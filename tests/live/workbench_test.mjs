@@ -325,6 +325,46 @@ test('what is clamped, a couple, discs that slide and a law have tools', async (
     assert.deepEqual(messages, []);
 });
 
+test('a disc slides on a bar that is clicked, a profile is changed in the panel, and a link gets a colour', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[0, 0], [100, 20]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('contact');
+    await clickAt([50, 60]);
+    await clickAt([40, 8]);
+    await settled();
+    const built = await file(), [a, b, centre, contact] = Object.keys(built.points);
+    assert.deepEqual(built.points[contact],
+        {meet: [{line: a, to: b}, {line: centre, perpendicular: [a, b]}]});
+    assert.deepEqual(built.joints, [
+        {contact, bodies: [3, 2], profiles: {3: {circle: centre}, 2: {line: [a, b]}}}]);
+    const at = await run(`workbench.spots['${contact}']`);
+    near(at[1] / at[0], 0.2);
+    near((60 - at[1]) * 0.2, at[0] - 50);
+    await tool('select');
+    await run(`workbench.select('/joints/0')`);
+    await page.locator('#profile-2').selectOption('tip');
+    assert.deepEqual((await file()).joints[0].profiles[2], {tip: true});
+    await page.locator('#profile-2').selectOption('line');
+    assert.deepEqual((await file()).joints[0].profiles[2], {line: [a, b]});
+
+    await run(`workbench.select('/bodies/2')`);
+    const plainText = await text(), bar = () => run(`getComputedStyle(document.querySelector('#canvas .bar')).stroke`);
+    await page.locator('#colour').fill('#7a1fa2');
+    await settled();
+    assert.deepEqual((await file()).bodies[2], {points: [a, b], colour: '#7a1fa2'});
+    assert.equal(await bar(), 'rgb(122, 31, 162)');
+    assert.deepEqual((await run('workbench.answer')).faults, []);
+    await page.locator('#colour-of-theme').click();
+    assert.deepEqual((await file()).bodies[2], [a, b]);
+    assert.notEqual(await bar(), 'rgb(122, 31, 162)');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.equal(await text(), plainText, 'a colour that is chosen is one step of the history');
+    assert.deepEqual(messages, []);
+});
+
 test('by touch: points are placed, two fingers zoom', async () => {
     await begin({width: 390, height: 844});
     await page.locator('[data-tool=link]').tap();

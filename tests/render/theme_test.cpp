@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "constructions/solving/solve.hpp"
+#include "render/page/body_colours.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/support/command_line.hpp"
@@ -25,6 +26,7 @@ namespace theme_test {
 namespace {
 
 using kinegraph::Language;
+using kinegraph::Solution;
 
 using namespace kinegraph::render;
 using namespace kinegraph::tests;
@@ -248,6 +250,70 @@ TEST(Theme, ALinkOfALineKindIsOutlinedWithItsDashesInside) {
     EXPECT_EQ(inside, (Pen{2 - 2 * look.outline, body.line, {3, 1}, false}));
     draw_line_kind(marks, 0, 1, look.body(kinegraph::BodyIndex(1)), look);
     EXPECT_EQ(marks.size(), 4U) << "a full line stays as it is";
+}
+
+/// The four-bar of the examples with a colour of body 3.
+Solution coloured(const std::string& colour) {
+    std::string text = contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "four_bar.json");
+    const std::string list = R"("3": ["A", "B"])";
+    const std::size_t at = text.find(list);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, list.size(), R"("3": {"points": ["A", "B"], "colour": ")" + colour + "\"}");
+    return kinegraph::solve(kinegraph::read_mechanism(text, "it").value()).value();
+}
+
+TEST(BodyColours, ALineIsAsGivenOnWhiteAndEverythingCanBeSeenOnEachPaper) {
+    for (const char* given : {"#000000", "#ffffff", "#ffff00", "#0b0b60", "#7a1fa2", "#15171c", "#808080"}) {
+        const Solution solution = coloured(given);
+        for (const char* name : {"colour", "dark"}) {
+            const Theme base = theme(name), look = with_colours_of(base, solution.mechanism);
+            const BodyColour body = look.colour_of(kinegraph::BodyIndex(2));
+            const Colour own = colour_of_number(*solution.mechanism.bodies[2].colour);
+            if (std::string_view(name) == "colour") {
+                EXPECT_EQ(body.line, own) << given;
+            }
+            EXPECT_GE(contrast(body.line, look.paper), std::min(3.0, contrast(own, {255, 255, 255})) - 1e-9) << given;
+            EXPECT_GE(contrast(body.letter, look.paper), 4.5) << given << ' ' << name;
+            EXPECT_GE(contrast(body.letter, body.tint), 4.5) << given << ' ' << name;
+            EXPECT_EQ(body.dashes, base.body(kinegraph::BodyIndex(2)).dashes);
+            EXPECT_EQ(look.colour_of(kinegraph::BodyIndex(1)).line, base.body(kinegraph::BodyIndex(1)).line);
+        }
+    }
+}
+
+TEST(BodyColours, AreThoseOfTheBodyInAllFiguresAndOfNoSheetInOneInk) {
+    const Solution solution = coloured("#7A1FA2");
+    const auto plain_options = kinegraph::tests::options_of({});
+    SheetOptions options = plain_options;
+    options.theme = with_colours_of(plain_options.theme, solution.mechanism);
+    const Colours with(lay_out(solution, options, fonts())), without(lay_out(solution, plain_options, fonts()));
+    const auto has = [](const Colours& all, Colour c) { return std::count(all.all.begin(), all.all.end(), c) > 0; };
+    const Colour own{0x7A, 0x1F, 0xA2}, themes = plain_options.theme.body(kinegraph::BodyIndex(2)).line;
+    EXPECT_TRUE(has(with, own) && !has(with, themes));
+    EXPECT_TRUE(!has(without, own) && has(without, themes));
+    const Theme print = theme("print"), kept = with_colours_of(print, solution.mechanism);
+    for (std::size_t i = 1; i < 4; ++i)
+        EXPECT_EQ(kept.body(kinegraph::BodyIndex(i)).line, print.body(kinegraph::BodyIndex(i)).line);
+}
+
+TEST(BodyColours, AFaultHasItsPlaceAndItsRemedy) {
+    const auto said = [](const std::string& bodies) {
+        const auto read = kinegraph::read_mechanism(
+            R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 0]}, "bodies": )" + bodies +
+                R"(, "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": 1}]})",
+            "it");
+        std::string lines;
+        if (!read)
+            for (const kinegraph::Error& error : read.error())
+                lines += error.where + ": " + error.message.in(Language::en) + '\n';
+        return lines;
+    };
+    for (const char* wrong : {"\"red\"", "\"#12345\"", "\"#1234567\"", "\"#12345G\"", "\"#-12345\"", "5", "null"})
+        EXPECT_EQ(said(R"({"2": {"points": ["O", "A"], "colour": )" + std::string(wrong) + "}}"),
+                  "/bodies/2/colour: a colour is wanted here; write it as \"#c04020\"\n");
+    EXPECT_EQ(said(R"({"0": {"points": ["O"], "colour": "#c04020"}, "2": ["O", "A"]})"),
+              "/bodies/0/colour: the frame is drawn as text is; take its \"colour\" out\n");
+    EXPECT_EQ(said(R"({"2": {"points": ["O", "A"], "colour": "#C04020"}})"), "");
 }
 
 // ----- files of the user's

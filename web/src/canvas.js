@@ -83,6 +83,9 @@ export class Canvas {
             this.scene?.faulty.has(pointer) ? 'faulty' : ''
         ];
         const group = svg('g', {class: states.filter(Boolean).join(' '), 'data-of': pointer}, ...marks);
+        const [, own] = /^own-([0-9a-f]{6})$/.exec(look.split(' ')[0]) ?? [];
+        if (own) group.classList.add('own');
+        if (own) group.style.setProperty('--own', `#${own}`);
         this.layers[layer].append(group);
     }
     /** A dot at each node, as a pattern: a path of all dots would be drawn anew in every frame. */
@@ -114,6 +117,8 @@ export class Canvas {
     look(body) {
         const {model} = /** @type {Scene} */ (this.scene),
             index = model.movingBodies.findIndex(({name}) => name === body);
+        const own = model.movingBodies[index]?.colour;
+        if (own) return `own-${own.slice(1)}`;
         return index < 0 ? 'frame' : `body-${(index % looks) + 1}`;
     }
     drawBodies() {

@@ -164,6 +164,62 @@ export class Edit {
         this.add(['joints'], {[kind]: contact, bodies: bodies.map(bodyValue), profiles});
     }
     /**
+     * A wheel about a centre that touches a bar of another body: at the foot of the perpendicular.
+     * @param {'gear' | 'rolling' | 'contact'} kind
+     * @param {string} centre
+     * @param {string} wheel the wheel's body
+     * @param {{body: string, from: string, to: string}} bar
+     */
+    addWheelOnBar(kind, centre, wheel, {body, from, to}) {
+        const [a, b, c] = [from, to, centre].map((each) => this.spots[each]), dx = b[0] - a[0], dy = b[1] - a[1];
+        const t = ((c[0] - a[0]) * dx + (c[1] - a[1]) * dy) / (dx * dx + dy * dy);
+        const foot = {meet: [{line: from, to}, {line: centre, perpendicular: [from, to]}]};
+        const contact = this.addPoint(foot, [a[0] + t * dx, a[1] + t * dy], 'P');
+        const profiles = {[wheel]: {circle: centre}, [body]: {line: [from, to]}};
+        this.add(['joints'], {[kind]: contact, bodies: [wheel, body].map(bodyValue), profiles});
+        return contact;
+    }
+    /**
+     * What a body shows at a contact.
+     * @param {import('./model.js').JointItem} joint
+     * @param {string} body
+     * @param {string} kind circle, line, tip; '': the body's own circle
+     */
+    setProfile(joint, body, kind) {
+        const path = [...joint.path, 'profiles', body], points = this.model.pointsOf(body);
+        const centre = points.find((each) => each !== joint.point) ?? joint.point;
+        const isBar = points.length > 1 && body !== this.model.frame;
+        const line = isBar ? points.slice(0, 2) : this.acrossContact(joint, body);
+        if (kind === '') this.remove(path);
+        else this.set(path, kind === 'circle' ? {circle: centre} : kind === 'line' ? {line} : {tip: true});
+    }
+    /**
+     * The direction of the tangent at a contact, degrees, from what the other body shows there.
+     * @param {import('./model.js').JointItem} joint
+     * @param {string} body
+     */
+    acrossContact(joint, body) {
+        const other = joint.bodies.find((each) => each !== body) ?? '', at = this.spots[joint.point];
+        const centre = joint.form.profiles?.[other]?.circle ?? this.model.bodyNamed(other)?.circle?.centre;
+        const from = this.spots[centre];
+        if (!from || !at) return 0;
+        return rounded(((Math.atan2(at[1] - from[1], at[0] - from[0]) * 180) / Math.PI + 90) % 180);
+    }
+    /**
+     * The colour of a body in place of the theme's.
+     * @param {string} body
+     * @param {string} colour "#rrggbb"; '': the theme's
+     */
+    setColour(body, colour) {
+        const path = ['bodies', body], form = this.json.plainAt(path);
+        if (Array.isArray(form)) {
+            if (colour !== '') this.set(path, {points: form, colour});
+        } else if (colour !== '') this.set([...path, 'colour'], colour);
+        else if (form && Object.keys(form).every((each) => each === 'points' || each === 'colour'))
+            this.set(path, form.points ?? []);
+        else this.remove([...path, 'colour']);
+    }
+    /**
      * A support that rolls on the frame, level, and only pushes up; the frame's pin at the point becomes one.
      * @param {string} point
      * @param {string} body

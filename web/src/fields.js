@@ -90,7 +90,7 @@ export function tick(name, isOn, change) {
     return html('div', {class: 'row tick'}, input, html('label', {for: input.id}, name));
 }
 /**
- * @param {string} name
+ * @param {string | Node} name
  * @param {string} text
  * @param {string} [look]
  */

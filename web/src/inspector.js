@@ -192,12 +192,14 @@ export class Inspector {
         return [...rows, ...names.map((each) => fileField(bench, each, ['parameters', each]))];
     }
     values() {
-        const values = this.bench.answer?.values ?? [];
+        const {bench} = this, values = bench.answer?.values ?? [];
         const wanted = values.filter(({name}) => /^(omega|alpha) |^v \S+$|^M|^effort|^bar /.test(name)).slice(0, 12);
         if (wanted.length === 0) return [];
         return [
             heading(word('values')),
-            ...wanted.map(({name, value, unit}) => told(symbolOf(name), `${Number(value.toPrecision(4))} ${unit}`))
+            ...wanted.map(({name, value, unit}) =>
+                told(symbolOf(name), `${numberText(value, bench.inquiry.language)} ${unit}`)
+            )
         ];
     }
     /** Everything that can be selected, for those who do not point. */
@@ -225,7 +227,18 @@ export class Inspector {
  * @param {string} name
  */
 function symbolOf(name) {
-    return name.replace(/^omega /, 'ω ').replace(/^alpha /, 'α ');
+    const [, letter, index] = /^(\S+) (.+)$/.exec(name) ?? ['', name, ''];
+    const of = {omega: 'ω', alpha: 'α'}[letter] ?? letter;
+    return html('span', {}, of, ...index ? [html('sub', {}, index)] : []);
+}
+/**
+ * Four digits, with the decimal mark of the language and a real minus.
+ * @param {number} value
+ * @param {string} language
+ */
+function numberText(value, language) {
+    const text = String(Number(value.toPrecision(4))).replace('-', '−');
+    return language === 'en' ? text : text.replace('.', ',');
 }
 /**
  * @param {Bench} bench

@@ -31,6 +31,7 @@ export function bodyFields(bench, name) {
         })}, html('option', {value: ''}, '…'), ...others.map((each) => html('option', {value: each}, each)));
         rows.push(row(word('add_point'), select));
     }
+    rows.push(...colourFields(bench, name));
     const acts = html('div', {class: 'acts'});
     if (!driver) acts.append(button(word('drive_it'), () => bench.edit((edit) => {
         edit.addDriver(name);
@@ -41,6 +42,36 @@ export function bodyFields(bench, name) {
     if (model.masses.some(({body}) => body === name))
         rows.push(...links(bench, word('weight'), [[word('weight_of', name), pointerTo('masses', name)]]));
     return rows;
+}
+
+/**
+ * The colour of a body, and the way back to the theme's.
+ * @param {Bench} bench
+ * @param {string} name
+ */
+function colourFields(bench, name) {
+    const own = bench.model.bodyNamed(name)?.colour ?? '';
+    const give = (/** @type {string} */ colour, joins = '') =>
+        bench.edit((edit) => edit.setColour(name, colour), joins);
+    const input = html('input', {type: 'color', id: 'colour', value: own || lookOf(name)});
+    input.addEventListener('input', () => give(input.value, `colour ${name}`));
+    input.addEventListener('change', () => {
+        // From here on the field may be shown anew.
+        input.defaultValue = input.value;
+        bench.document.rest();
+        bench.tell('selection');
+    });
+    const back = button(word('colour_of_theme'), () => give(''), 'colour-of-theme');
+    return [row(word('colour'), input), ...own ? [html('div', {class: 'acts'}, back)] : []];
+}
+/**
+ * The colour in which a body is drawn.
+ * @param {string} name
+ */
+function lookOf(name) {
+    const drawn = document.querySelector(`#canvas [data-of="${CSS.escape(pointerTo('bodies', name))}"]`);
+    const look = drawn ? getComputedStyle(drawn).getPropertyValue('--look').trim() : '';
+    return /^#[0-9a-f]{6}$/i.test(look) ? look : '#808080';
 }
 
 /**
@@ -61,8 +92,36 @@ export function jointFields(bench, index) {
                     id: `joint-${key.replace(' ', '-')}`
                 })
             );
+    if (['rolling', 'contact', 'gear'].includes(joint.kind))
+        rows.push(...joint.bodies.flatMap((body) => profileFields(bench, joint, body)));
     rows.push(fileField(bench, word('name'), [...joint.path, 'name'], {optional: true, text: true}));
     rows.push(...links(bench, word('points'), [[joint.point, pointerTo('points', joint.point)]]));
+    return rows;
+}
+
+/**
+ * What a body shows at a contact: a circle, a straight line, a tip.
+ * @param {Bench} bench
+ * @param {import('./model.js').JointItem} joint
+ * @param {string} body
+ */
+function profileFields(bench, joint, body) {
+    const form = joint.form.profiles?.[body] ?? {}, path = [...joint.path, 'profiles', body], {model} = bench;
+    const kind = ['circle', 'line', 'tip'].find((each) => each in form) ?? '';
+    const none = model.bodyNamed(body)?.circle ? 'profile_own' : 'profile_none';
+    /** @type {[string, string][]} */
+    const kinds = ['circle', 'line', 'tip'].map((each) => [each, word(`profile_${each}`)]);
+    const rows = [choice(
+        word('profile_of', body),
+        kind,
+        [['', word(none)], ...kinds],
+        (wanted) => bench.edit((edit) => edit.setProfile(joint, body, wanted)),
+        `profile-${body}`
+    )];
+    if (kind === 'circle')
+        rows.push(choice(word('circle_about'), asTyped(form.circle), model.points.map(({name}) => [name, name]),
+            (value) => bench.edit((edit) => edit.set([...path, 'circle'], value)), `centre-${body}`));
+    if (kind === 'line') rows.push(fileField(bench, word('joint_along'), [...path, 'line'], {id: `line-${body}`}));
     return rows;
 }
 

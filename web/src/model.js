@@ -6,8 +6,9 @@ import {plain} from './json_text.js';
  * @typedef {import('./json_text.js').JsonText} JsonText
  * @typedef {import('./json_text.js').Path} Path
  * @typedef {{name: string, form: any, path: Path}} PointItem
- * @typedef {{name: string, points: string[], listPath: Path, path: Path,
+ * @typedef {{name: string, points: string[], listPath: Path, path: Path, colour: string,
  *     circle: {centre: string} | null, isFrame: boolean}} BodyItem
+ *     colour: "#rrggbb", or '': the theme's
  * @typedef {{kind: string, point: string, bodies: string[], name: string, form: any, path: Path,
  *     pointer: string}} JointItem
  * @typedef {{form: any, path: Path, pointer: string}} ListItem
@@ -58,10 +59,11 @@ export class Model {
      * @returns {BodyItem}
      */
     body(name, form) {
-        const isList = Array.isArray(form), centre = nameOf(form?.circle?.centre);
+        const isList = Array.isArray(form), centre = nameOf(form?.circle?.centre), given = nameOf(form?.colour);
+        const colour = /^#[0-9a-f]{6}$/i.test(given) ? given.toLowerCase() : '';
         return {name, points: listOf(isList ? form : form?.points).map(nameOf), path: ['bodies', name],
             listPath: isList ? ['bodies', name] : ['bodies', name, 'points'], circle: centre ? {centre} : null,
-            isFrame: name === this.frame};
+            colour, isFrame: name === this.frame};
     }
     /**
      * @param {any} form

@@ -233,26 +233,34 @@ export class SlotTool extends Tool {
         });
     }
 }
-/** The centres of two wheels, which touch half way between them. */
+/** The centres of two wheels, which touch half way between them; or a centre, then a bar that the wheel touches. */
 export class GearTool extends Tool {
     static tool = 'gear';
     static key = 'e';
     /** @type {'gear' | 'rolling' | 'contact'} */
     static kind = 'gear';
+    get kind() {
+        return /** @type {typeof GearTool} */ (this.constructor).kind;
+    }
     /** @param {Target} target */
     pick(target) {
-        this.pickTwo(target, (edit, first, point) => {
-            const bodies = [first, point].map((each) => {
-                const there = edit.model.bodiesAt(each).find((body) => body !== edit.model.frame);
-                return there ?? edit.addBody([each]);
+        const bodyOf = (/** @type {Edit} */ edit, /** @type {string} */ point) =>
+            edit.model.bodiesAt(point).find((body) => body !== edit.model.frame) ?? edit.addBody([point]);
+        const [centre] = this.picked, {bar, point: there} = target;
+        if (centre && bar && !there && !this.bench.model.pointsOf(bar.body).includes(centre))
+            return this.edit((edit) => {
+                this.cancel();
+                return pointerTo('points', edit.addWheelOnBar(this.kind, centre, bodyOf(edit, centre), bar));
             });
+        this.pickTwo(target, (edit, first, point) => {
+            const bodies = [first, point].map((each) => bodyOf(edit, each));
             const [a, b] = [edit.spots[first], edit.spots[point]];
             const contact = edit.addPoint(
                 {from: first, to: point, ratio: 0.5},
                 [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
                 'P'
             );
-            edit.addWheels(/** @type {typeof GearTool} */ (this.constructor).kind, bodies, [first, point], contact);
+            edit.addWheels(this.kind, bodies, [first, point], contact);
             return pointerTo('points', contact);
         }, 'O');
     }
