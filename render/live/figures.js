@@ -109,11 +109,7 @@ export class FigureView extends Paper {
         const {held, unit, scale, drawnScale} = this, forces = held && held.forces.length > 0 ?
             [{now: held.scale / held.inUnit, drawn: held.drawnScale / held.inUnit, unit: held.unit}] : [];
         if (this.isFree) return forces;
-        const own = held?.isLever
-            ? Number(this.group.getAttribute('data-scale'))
-            : this.isMechanism
-              ? this.vectorScale
-              : drawnScale;
+        const own = Number(this.group.getAttribute('data-scale') ?? 1);
         return [{now: (own * scale) / drawnScale, drawn: own, unit}, ...forces];
     }
     get caption() {
@@ -249,6 +245,6 @@ export class FigureView extends Paper {
      */
     sizeOf(name) {
         const ends = this.vector(name);
-        return ends && apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale);
+        return ends && (apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale)) / this.inUnit;
     }
 }

@@ -252,6 +252,11 @@ void write_names(const Solution& solution, JsonWriter& json) {
         if (centre.at.element() != none)
             json.key(id_of_centre(solution, centre))
                 .value(kinegraph::name_of(centre_symbol(m, centre.first, centre.second, false)));
+    json.close();
+    // Of the units of figures those that are not SI.
+    json.key("units").open('{');
+    for (const Unit* unit : {&m.units.velocity, &m.units.acceleration, &m.units.force})
+        if (unit->si != Exact(1)) json.key(unit->symbol).value(unit->si.to_double());
     json.close().close();
 }
 

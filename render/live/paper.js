@@ -10,7 +10,9 @@ import {apart, minus} from './path.js';
  * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points:
  *   number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies:
- *   [number, number]}[], points: {label: string}[], centres: Record<string, string>}} Names
+ *   [number, number]}[], points: {label: string}[], centres: Record<string, string>,
+ *   units?: Record<string, number>}} Names
+ *   units: SI units in those of figures that are others
  */
 
 export class Paper {
@@ -35,8 +37,10 @@ export class Paper {
         this.names = names;
         this.id = group.getAttribute('data-id') ?? '';
         this.unit = group.getAttribute('data-unit') ?? '';
+        /** SI units in the figure's unit. */
+        this.inUnit = names.units?.[this.unit] ?? 1;
         /** @type {number} */
-        this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
+        this.drawnScale = Number(group.getAttribute('data-scale') ?? 1) * this.inUnit;
         /** @type {number} */
         this.scale = this.drawnScale;
         /** A free body, or a free pin. */
@@ -47,7 +51,7 @@ export class Paper {
                 group.querySelector('[data-on]') !== null);
         this.isMechanism =
             ['mechanism', 'centres', 'velocities'].includes(info.name) || (this.isHeld && info.name !== 'joukowsky');
-        /** Units of the quantity for a mm of a vector; a drawing of the mechanism may show vectors. */
+        /** SI units of the quantity for a mm of a vector; a drawing of the mechanism may show vectors. */
         this.vectorScale = this.drawnScale;
         if (this.isMechanism) this.drawnScale = this.scale = info.places ?? 1;
         this.origin = this.isMechanism || this.isHeld ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
@@ -70,8 +74,10 @@ export class Paper {
         const told = [];
         for (const node of this.group.querySelectorAll(':scope > g.vector')) {
             const name = node.getAttribute('data-name') ?? '', axis = node.querySelector('line.axis');
+            // The second vector of a name is "F_3-2" on the sheet, F_3#1 in the plan.
+            const own = this.vectorsOf(0).has(name) ? name : name.replace(/-\d+$/, '');
             for (const [key, [element]] of this.vectorsOf(0)) {
-                const tail = axis && key.split('#')[0] === name ? this.motion.spot(element) : null;
+                const tail = axis && key.split('#')[0] === own ? this.motion.spot(element) : null;
                 if (!axis || !tail) continue;
                 const x = Number(axis.getAttribute('x1')) - tail.x / this.scale,
                     y = Number(axis.getAttribute('y1')) + tail.y / this.scale;

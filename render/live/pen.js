@@ -60,7 +60,7 @@ export class Pen {
         putLine(/** @type {Element} */ (this.exercise.group?.querySelector('.own')), from, handle.at);
         const written = (/** @type {number} */ value) => page.numberText(value);
         page.at('try-length').textContent = this.exercise.tasks[this.exercise.now]?.kind === 'vector' ?
-            measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
+            measured(apart(from, handle.at), view.drawnScale / view.inUnit, view.unit, written) : '';
     }
     /**
      * If there is a vertex under the pointer, the line starts there.
