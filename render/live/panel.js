@@ -21,7 +21,7 @@ export class Panel {
     wire(motion) {
         const panel = this.page.at('givens'), {settings} = motion.data;
         panel.hidden = settings.length + motion.data.fixed.length === 0;
-        settings.forEach(({name, unit, size, value, ends}, i) => {
+        settings.forEach(({name, unit, size, value, ends, parameter}, i) => {
             if (motion.givens.follows(i)) return;
             const label = document.createElement('label'), input = document.createElement('input');
             Object.assign(input, {type: 'number', step: 'any'});
@@ -31,7 +31,7 @@ export class Panel {
             };
             input.onblur = () => this.show(motion);
             const said = ends ? ends.map((end) => unscored(this.page.data.names.points[end].label)).join('') : name;
-            label.append(`${said} `, input, ` ${unit}`);
+            label.append(symbolOf(said, parameter), input, unitText(unit));
             panel.append(label);
             this.inputs.set(i, input);
             if (settings[i].direction !== undefined) this.addDirection(motion, i, label, said);
@@ -66,7 +66,7 @@ export class Panel {
             if (isGood) this.page.drive.turnLoad(setting, motion.settings[setting], isFirst ? 0 : to - direction);
         };
         input.onblur = () => this.show(motion);
-        label.append(' ∠ ', input, ' °');
+        label.append('∠', input, unitText('°'));
         this.directions.set(setting, input);
     }
     /**
@@ -104,6 +104,26 @@ export class Panel {
     }
 }
 
+/**
+ * A name as it is written: what stands behind the letter is set low.
+ * @param {string} name "ω 2", "F_P"
+ * @param {boolean} [asItIs] a word of the file
+ */
+function symbolOf(name, asItIs) {
+    const symbol = document.createElement('span'),
+        [, letter, index] = (asItIs ? null : /^(\S+?)[ _](.+)$/.exec(name)) ?? ['', name, ''];
+    symbol.append(letter);
+    if (index) symbol.append(document.createElement('sub'));
+    if (symbol.lastElementChild) symbol.lastElementChild.textContent = index;
+    return symbol;
+}
+/** @param {string} unit */
+function unitText(unit) {
+    const node = document.createElement('span');
+    node.className = 'unit';
+    node.textContent = unit;
+    return node;
+}
 /** @param {number} angle rad; the result between −180° and 180° */
 function degrees(angle) {
     const whole = Number((angle * 180 / Math.PI).toFixed(5));

@@ -223,9 +223,10 @@ export function shareRoom(rows) {
                 each + (Math.max(free, 0) * sizes[i][j].x) / Math.max(total(sizes[i].map((size) => size.x)), 1e-9),
         );
     });
+    // A polygon whose forces are in line, upright, has no width, and may have none.
     const k = Math.max(
         total(tall) / freeHeight,
-        ...sizes.flatMap((row, i) => row.map((size, j) => size.x / widths[i][j])),
+        ...sizes.flatMap((row, i) => row.map((size, j) => (size.x > 0 ? size.x / widths[i][j] : 0))),
         1e-9,
     );
     const air = (freeHeight - total(tall) / k) / rows.length;

@@ -1036,6 +1036,19 @@ for (const name of ['exam_2001', 'watt_six_bar', 'quick_return', 'slider_crank',
     });
 }
 
+test('the words of a button can be read under the pointer', async () => {
+    await openToRead(pageOf('four_bar'));
+    for (const [mode, id] of [['steps', 'next'], ['try', 'try-check']]) {
+        await see(`kinegraph.setMode('${mode}')`);
+        await tab.hover(`#${id}`);
+        const {color, backgroundColor} = await see(`(({color, backgroundColor}) => ({color, backgroundColor}))(
+            getComputedStyle(document.getElementById('${id}')))`);
+        const shades = [color, backgroundColor].map((each) => Math.max(...each.match(/[\d.]+/g).slice(0, 3).map(Number)));
+        assert.ok(Math.abs(shades[0] - shades[1]) > 120, `${id}: ${color} on ${backgroundColor}`);
+    }
+    quiet();
+});
+
 test('speaks both languages', async () => {
     await openToRead(pageOf('four_bar'));
     const [english, italian] = await see(`['en', 'it'].map((language) => {
@@ -1163,6 +1176,53 @@ test('a load is dragged by its tip: it turns, and the polygon follows', async ()
     assert.ok(Math.hypot(now.x - found.by.x, now.y - found.by.y) < 0.05 * size, JSON.stringify([found, now]));
     assert.ok(Math.abs(now.drawn.x / now.drawn.y - now.x / now.y) < 1e-6, JSON.stringify(now));
     assert.ok(Math.abs(Number(now.said) * Math.PI / 180 - Math.atan2(now.y, now.x)) < 1e-6);
+    quiet();
+});
+
+for (const name of ['beam', 'truss_roof_wind', 'toggle_clamp', 'excavator_arm', 'exam_2001']) {
+    test(`the record of ${name} has each vector of its polygons where the sheet draws it`, async () => {
+        await open(pageOf(name));
+        const found = await see(`kinegraph.figures.filter((view) => !view.isMechanism && !view.isHeld).flatMap((view) =>
+            [...view.group.querySelectorAll(':scope > g.vector')].map((node) => {
+                const at = view.vector(node.dataset.name), axis = node.querySelector('line.axis');
+                return axis && [view.id, node.dataset.name, at && apart(minus(...at), minus(...endsOf(axis)))];
+            }).filter(Boolean))`);
+        assert.ok(found.length > 2);
+        for (const [figure, vector, off] of found) assert.ok(off !== null && off < 1e-3, `${figure} ${vector}: ${off} mm`);
+        quiet();
+    });
+}
+
+test('a polygon in kN is to the scale that its caption says, and its vectors say their values in kN', async () => {
+    await open(pageOf('beam'));
+    const found = await see(`[true, false].map((fits) => {
+        const {motion} = kinegraph, box = kinegraph.at('fit'), i = motion.data.settings.findIndex(({name}) => name === 'F_P');
+        if (box.checked !== fits) box.click();
+        kinegraph.drive.turnLoad(i, 1.25 * motion.data.settings[i].value, 0);
+        const view = kinegraph.figures.find(({id}) => id === 'forces-2'), [scale] = view.scales;
+        return {millimetres: apart(...view.vector('F_P')), drawn: scale.drawn, now: scale.now, unit: scale.unit,
+            said: view.sizeOf('F_P'), value: motion.settings[i] / 1000};
+    })`);
+    for (const {millimetres, now, unit, said, value} of found) {
+        assert.equal(unit, 'kN');
+        assert.ok(Math.abs(millimetres * now - value) < 1e-9 * value, JSON.stringify(found));
+        assert.ok(Math.abs(said - value) < 1e-9 * value);
+    }
+    assert.equal(found[1].now, found[1].drawn);
+    quiet();
+});
+
+test('forces in one upright line have polygons at every position', async () => {
+    await open(pageOf('scissor_lift'));
+    for (const share of [0, 0.41, 1]) {
+        const lengths = await see(`(() => {
+            const {samples} = kinegraph.course, [from, to] = [samples[0].at, samples[samples.length - 1].at];
+            kinegraph.moveTo(from + (to - from) * ${share});
+            return kinegraph.figures.filter(({info}) => info.name === 'forces').flatMap((view) =>
+                [...view.keys.keys()].map((name) => apart(...view.vector(name))));
+        })()`);
+        assert.ok(lengths.length > 5 && lengths.every((each) => each < 300), JSON.stringify(lengths));
+    }
     quiet();
 });
 
