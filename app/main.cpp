@@ -36,10 +36,10 @@ const std::string& program_version() {
     return text;
 }
 constexpr const char* statuses =
-    "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no "
-    "unique answer\n"
-    "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
-    "module of the program is missing, or the port can't be had; 70 a fault of ours.";
+    "Exit status: 0 done; 1 diff found a difference, or an editor left without notice; 2 the command line or the file\n"
+    "is wrong, nothing is written; 3 no unique answer (locked, dead point): what could be found is written; 4 the\n"
+    "output can't be written, or the font or a module of the program is missing, or the port can't be had; 70 a fault\n"
+    "of ours.";
 
 /// The command that was typed, ready to run.
 using Action = std::function<Status()>;
@@ -735,6 +735,20 @@ void add_edit(CLI::App& program, Action& action) {
     });
 }
 
+void add_language_server(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "language-server",
+                    "For editors: faults, completion and the meaning of keys, by the Language Server Protocol on "
+                    "standard input and output");
+    auto language = std::make_shared<std::string>();
+    add_language(*command, *language, "Language of messages; without it the editor's, else English");
+    command->callback([&action, language] {
+        LanguageServerRequest request;
+        if (!language->empty()) request.language = language_named(*language);
+        action = [request] { return language_server_command(request); };
+    });
+}
+
 OptionForm form_of(const CLI::Option& option) {
     OptionForm form;
     form.is_argument = option.get_positional();
@@ -810,8 +824,9 @@ Status run(int count, char** arguments, Language language) {
     program.footer(statuses);
     program.require_subcommand(1);
     Action action;
-    for (const auto add : {add_solve, add_sweep, add_variants, add_cam, add_check, add_import, add_diff, add_pairs,
-                           add_equations, add_schema, add_batch, add_watch, add_edit, add_completion, add_manual})
+    for (const auto add :
+         {add_solve, add_sweep, add_variants, add_cam, add_check, add_import, add_diff, add_pairs, add_equations,
+          add_schema, add_batch, add_watch, add_edit, add_language_server, add_completion, add_manual})
         add(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";

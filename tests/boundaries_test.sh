@@ -96,11 +96,12 @@ check() {
         floor app server files
         floor app late
         floor app workbench files
-        floor app commands files server late workbench
+        floor app editor files
+        floor app commands files server late workbench editor
         floor app modules late
         unordered
         includes '["<](engine|constructions|render|problems)/' app |
-            grep -E '^app/(main\.cpp|(commands|files|server|workbench)/[^:]*):' |
+            grep -E '^app/(main\.cpp|(commands|editor|files|server|workbench)/[^:]*):' |
             breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '["<](lang|engine|constructions|render|problems|app|tests|bench)/' python |
@@ -208,6 +209,7 @@ seen "content knows" render/content/a.cpp '"render/layout/b.hpp"'
 seen "nothing below it" app/main.cpp '"render/page/page.hpp"'
 seen "nothing below it" app/commands/a.cpp '"engine/board/b.hpp"'
 seen "nothing below it" app/workbench/a.cpp '"engine/board/b.hpp"'
+seen "nothing below it" app/editor/a.cpp '"engine/file/b.hpp"'
 seen "workbench knows" app/workbench/a.cpp '"app/server/b.hpp"'
 seen "for Python uses the public face" python/module/a.cpp '"engine/board/b.hpp"'
 seen "module's own" app/main.cpp '"python/module/bindings.hpp"'

@@ -149,6 +149,12 @@ struct EditRequest {
 };
 Status edit_command(const EditRequest& request);
 
+/// language-server: faults, completion and the meaning of keys, for an editor.
+struct LanguageServerRequest {
+    std::optional<Language> language;  ///< of messages; none: the editor's
+};
+Status language_server_command(const LanguageServerRequest& request);
+
 /// Reads a mechanism file; returns a status after errors were reported.
 tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Language language,
                                                  const std::vector<ParameterValue>& set = {});

@@ -13,11 +13,12 @@ namespace kinegraph::app {
 /// Exit statuses, as defined in docs/command_line.md.
 enum class Status {
     done = 0,
-    difference = 1,  ///< two pictures differ
-    bad_input = 2,   ///< wrong command line or file: nothing is written
-    unsolved = 3,    ///< some results have no unique value: the others are written
-    output = 4,      ///< an output cannot be written, or the font is missing
-    fault = 70,      ///< an internal error
+    difference = 1,     ///< two pictures differ
+    not_shut_down = 1,  ///< an editor ended the language server, or itself, without notice
+    bad_input = 2,      ///< wrong command line or file: nothing is written
+    unsolved = 3,       ///< some results have no unique value: the others are written
+    output = 4,         ///< an output cannot be written, or the font is missing
+    fault = 70,         ///< an internal error
 };
 
 /// Control characters as \n, \t or \x1b, so that a message stays one line.

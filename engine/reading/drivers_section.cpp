@@ -24,7 +24,7 @@ constexpr std::array spin_rows{
     turn_law_row,
     drawn_at};
 constexpr std::array slide_driver_rows{
-    leading_key("joint", "name", values::point_name, "The name of a prismatic joint or of a straight pin-slot."),
+    leading_key("joint", "name", values::joint_name, "The name of a prismatic joint or of a straight pin-slot."),
     driven_speed, driven_acceleration, slide_law_row, drawn_at};
 constexpr std::array point_driver_rows{
     FormRow("body", "i", values::body_name).needed(lang::drivers::the_body_that_is_driven),

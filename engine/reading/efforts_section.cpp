@@ -17,7 +17,7 @@ constexpr std::array force_effort_rows{
     FormRow("at", "P", values::point_name).needed(lang::loads::the_point_at_which_it_acts),
     FormRow("along", "X", values::direction).needed(lang::loads::the_direction_of_the_force)};
 constexpr std::array actuator_rows{effort_force,
-                                   leading_key("joint", "name", values::point_name, "The name of a prismatic joint.")};
+                                   leading_key("joint", "name", values::joint_name, "The name of a prismatic joint.")};
 constexpr std::array<std::string_view, 1> not_of_couple_efforts{"force"};
 constexpr std::array<std::string_view, 2> not_of_force_efforts{"couple", "joint"};
 constexpr Form couple_effort_form{lang::loads::a_couple_that_balances, couple_effort_rows,

@@ -43,7 +43,7 @@ constexpr std::array rows_of_mechanism{
     FormRow("joints", "[…]", values::list(forms::joint), "The joints.").called(lang::joints::an_array_of_joints),
     FormRow("drivers", "[…]", values::list(forms::driver), "What drives the mechanism.")
         .called(lang::mechanism::an_array_of_drivers),
-    FormRow("masses", "{…}", values::map(forms::mass), "Body → its mass.")
+    FormRow("masses", "{…}", values::map(forms::mass).with(values::by_body), "Body → its mass.")
         .called(lang::loads::an_object_of_masses_by_body),
     FormRow("gravity", "[gx, gy]", values::accelerations, "[gx, gy]; none if left out.")
         .called(lang::mechanism::a_vector_gx_gy),

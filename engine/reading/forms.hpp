@@ -41,6 +41,8 @@ inline constexpr FormValue point_in_array =
         .named("pointInArray", "The name of a point; in an array an integer will do.");
 inline constexpr FormValue body_name = json(R"("type": ["string", "integer"], "minLength": 1)")
                                            .named("bodyName", "The name of a body; an integer will do.");
+inline constexpr FormValue joint_name =
+    json(R"("type": "string", "minLength": 1)").named("jointName", "The name of a joint, or that of its point.");
 inline constexpr FormValue two_bodies = list(body_name, 2, 2);
 inline constexpr FormValue expression =
     json(R"json("type": ["string", "number"], "examples": ["v0*t", "R*cos(omega*t)"])json")
@@ -65,6 +67,9 @@ inline constexpr FormValue forces = list(force, 2, 2), velocities = list(velocit
 
 inline constexpr FormValue texts =
     FormValue{.shape = FormValue::Shape::texts}.named("words", "A text, or one for each language.");
+
+/// Of a map whose keys are bodies.
+inline constexpr std::string_view by_body = R"("propertyNames": {"$ref": "#/definitions/bodyName"})";
 
 /// Of a circle.
 inline constexpr FormRow radius =

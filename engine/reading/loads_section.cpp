@@ -35,7 +35,7 @@ constexpr std::array force_choices{
     Form::Choice{"A force by magnitude and direction.", {"force", "body", "at", "magnitude", "along"}},
     Form::Choice{"A force by a pressure on an area and its direction.",
                  {"force", "body", "at", "pressure", "area", "along"}}};
-constexpr FormRow loaded_pin = leading_key("pin", "P", values::name, "A hinge, by its name or its point.");
+constexpr FormRow loaded_pin = leading_key("pin", "P", values::joint_name, "A hinge, by its name or its point.");
 constexpr std::array pin_rows{load_name, loaded_pin, load_value, load_magnitude, load_along, load_pressure, load_area};
 constexpr std::array pin_choices{
     Form::Choice{"A load on the pin of a hinge, by components.", {"force", "pin", "value"}},

@@ -20,6 +20,7 @@ constexpr FormValue profile_value = values::object(profile_form).named("profile"
 
 constinit const FormValue forms::profiles =
     values::map(profile_value, 0, 2)
+        .with(values::by_body)
         .named("profiles", "Body → what it shows at the contact; a body with a circle needs no entry.");
 
 void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {

@@ -85,6 +85,11 @@ void write_quantity(QuantityKind kind, JsonWriter& json) {
                                    bare + "; a string states its own unit (" + units_of(kind) +
                                    "), or is a formula \"= …\".");
     json.key("type").open('[').values("number", "string").close();
+    // Editors propose them; ours also proposes the units alone.
+    json.key("examples").open('[');
+    for (const KnownUnit& each : known_units())
+        if (each.kind == kind) json.value("1 " + std::string(each.symbol));
+    json.close();
     json.member("pattern", "^ *=|^" + number_pattern("+-") + " *" + units_pattern(kind) + " *$").close();
 }
 
