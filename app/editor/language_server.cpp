@@ -25,6 +25,10 @@ constexpr int is_error = 1, is_information = 3;                    // severities
 constexpr int property = 10, unit = 11, value = 12, variable = 6;  // kinds of suggestions
 }  // namespace code
 
+/// What the editor says. It may be nested deeply: an ordered object copies its members where it grows, which recurses
+/// and would overflow the stack; this one never copies.
+using Message = LanguageServer::Message;
+
 std::string as_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json message_of(const Json& id, const char* key, Json content) {
@@ -37,18 +41,18 @@ Json error_of(const Json& id, int code, const char* why) {
 }
 
 /// The member of an object; null where there is none.
-const Json& in(const Json& object, const char* key) {
-    static const Json nothing;
+const Message& in(const Message& object, const char* key) {
+    static const Message nothing;
     const auto found = object.is_object() ? object.find(key) : object.end();
     return found == object.end() ? nothing : *found;
 }
-std::string text_in(const Json& object, const char* key) {
-    const Json& text = in(object, key);
+std::string text_in(const Message& object, const char* key) {
+    const Message& text = in(object, key);
     return text.is_string() ? text.get<std::string>() : std::string();
 }
-std::optional<LinePlace> place_in(const Json& parameters) {
-    const Json& position = in(parameters, "position");
-    const Json &line = in(position, "line"), &character = in(position, "character");
+std::optional<LinePlace> place_in(const Message& parameters) {
+    const Message& position = in(parameters, "position");
+    const Message &line = in(position, "line"), &character = in(position, "character");
     if (!line.is_number_unsigned() || !character.is_number_unsigned()) return std::nullopt;
     return LinePlace{line.get<std::size_t>(), character.get<std::size_t>()};
 }
@@ -93,14 +97,16 @@ std::string LanguageServer::complaint(const std::string& fault) {
 }
 
 std::string LanguageServer::answer(std::string_view text) {
-    const Json message = Json::parse(text, nullptr, false);
+    const Message message = Message::parse(text, nullptr, false);
     if (message.is_discarded()) return as_text(error_of(nullptr, code::not_json, "this is not JSON in UTF-8"));
-    const Json &method = in(message, "method"), &id = in(message, "id");
+    const Message &method = in(message, "method"), &id = in(message, "id");
     // What has no method answers a request of ours, and we have none; unless it is no message at all.
     const bool is_answer = message.is_object() && !message.contains("method") && id.is_primitive() && !id.is_null();
     if (is_answer) return {};
     const bool is_request = message.is_object() && message.contains("id");
-    const Json& known = id.is_string() || id.is_number_integer() ? id : Json();
+    Json known;
+    if (id.is_string()) known = id.get<std::string>();
+    if (id.is_number_integer()) known = id.get<std::int64_t>();
     if (!method.is_string() || (is_request && known.is_null()))
         return as_text(error_of(known, code::no_request, "this is no request"));
     try {
@@ -112,7 +118,7 @@ std::string LanguageServer::answer(std::string_view text) {
     }
 }
 
-Json LanguageServer::answered(const Json& id, const std::string& method, const Json& parameters) {
+Json LanguageServer::answered(const Json& id, const std::string& method, const Message& parameters) {
     const bool begins = method == "initialize";
     if (stage_ == Stage::started && !begins) return error_of(id, code::not_initialized, "initialize comes first");
     if (stage_ != Stage::serving && !(stage_ == Stage::started && begins))
@@ -137,7 +143,7 @@ Json LanguageServer::answered(const Json& id, const std::string& method, const J
     return message_of(id, "result", completes ? complete(text, *place) : hover(text, *place));
 }
 
-Json LanguageServer::initialize(const Json& parameters) {
+Json LanguageServer::initialize(const Message& parameters) {
     stage_ = Stage::serving;
     // "it-IT" is "it".
     const std::string locale = text_in(parameters, "locale");
@@ -165,23 +171,25 @@ Json LanguageServer::hover(const std::string& text, LinePlace place) const {
             {"range", range_of(lines, meaning->begin, meaning->end)}};
 }
 
-void LanguageServer::notice(const std::string& method, const Json& parameters) {
+void LanguageServer::notice(const std::string& method, const Message& parameters) {
     if (method == "exit") stage_ = Stage::ended;
     if (stage_ != Stage::serving) return;
-    const Json& document = in(parameters, "textDocument");
+    const Message& document = in(parameters, "textDocument");
     if (method == "textDocument/didOpen") set(document, in(document, "text"));
     if (method == "textDocument/didClose") close(text_in(document, "uri"));
-    const Json& changes = in(parameters, "contentChanges");
+    const Message& changes = in(parameters, "contentChanges");
     if (method == "textDocument/didChange" && changes.is_array() && !changes.empty() &&
         documents_.contains(text_in(document, "uri")))
         set(document, in(changes.back(), "text"));
 }
 
-void LanguageServer::set(const Json& document, const Json& text) {
+void LanguageServer::set(const Message& document, const Message& text) {
     const std::string uri = text_in(document, "uri");
     if (!text.is_string()) return;
-    const Json& version = in(document, "version");
-    documents_[uri] = {text.get<std::string>(), version.is_number_integer() ? version : Json()};
+    const Message& version = in(document, "version");
+    Json number;
+    if (version.is_number_integer()) number = version.get<std::int64_t>();
+    documents_[uri] = {text.get<std::string>(), std::move(number)};
     if (std::find(changed_.begin(), changed_.end(), uri) == changed_.end()) changed_.push_back(uri);
 }
 

@@ -19,6 +19,8 @@ namespace kinegraph::app {
 
 class LanguageServer {
 public:
+    using Message = nlohmann::json;
+
     /// Without a language that of the editor is used, where there is one.
     explicit LanguageServer(std::optional<Language> language);
 
@@ -45,12 +47,12 @@ private:
         Json version;
     };
 
-    Json answered(const Json& id, const std::string& method, const Json& parameters);
-    Json initialize(const Json& parameters);
+    Json answered(const Json& id, const std::string& method, const Message& parameters);
+    Json initialize(const Message& parameters);
     Json complete(const std::string& text, LinePlace place) const;
     Json hover(const std::string& text, LinePlace place) const;
-    void notice(const std::string& method, const Json& parameters);
-    void set(const Json& document, const Json& text);
+    void notice(const std::string& method, const Message& parameters);
+    void set(const Message& document, const Message& text);
     void close(const std::string& uri);
 
     std::optional<Language> language_;

@@ -19,7 +19,7 @@ constexpr FormValue body_colour =
     values::json(R"("type": "string", "pattern": "^#[0-9A-Fa-f]{6}$", "examples": ["#c04020"])")
         .named("colour", "The body's colour in all figures, in place of the theme's.");
 constexpr std::array body_rows{
-    FormRow("points", "[…]", points_of_body).called(lang::bodies::an_array_of_points),
+    FormRow("points", "[…]", points_of_body, "The points that move with it.").called(lang::bodies::an_array_of_points),
     FormRow("label", "\"…\"", values::texts),
     FormRow("circle", R"({"centre": P, "radius": r})", values::object(body_circle)).called(lang::bodies::centre_radius),
     FormRow("colour", R"("#RRGGBB")", body_colour)};

@@ -17,7 +17,8 @@ constexpr std::array material_choices{values::defined(forms::material_name), val
 constexpr FormValue one_material =
     values::any(material_choices)
         .named("material", "A material known by name, or young and poisson; depth as in a Hertz problem.");
-constexpr std::array contact_material_choices{values::defined(forms::material_name), values::map(one_material, 2, 2)};
+constexpr std::array contact_material_choices{values::defined(forms::material_name),
+                                              values::map(one_material, 2, 2).with(values::by_body)};
 
 }  // namespace
 

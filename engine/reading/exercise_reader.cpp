@@ -26,7 +26,8 @@ constexpr std::array variation_rows{
     FormRow("from", "…", values::number_or_text).needed(lang::exercises::the_first_value_or_give_choose),
     FormRow("to", "…", values::number_or_text).needed(lang::exercises::the_last_value),
     FormRow("step", "…", values::number_or_text).needed(lang::exercises::from_one_value_to_the_next),
-    FormRow("choose", "[…]", values::list(values::number_or_text, 1)).called(lang::exercises::an_array_of_values)};
+    FormRow("choose", "[…]", values::list(values::number_or_text, 1), "The values.")
+        .called(lang::exercises::an_array_of_values)};
 constexpr std::array variation_choices{
     Form::Choice{"From a first value to a last one, step by step.", {"from", "to", "step"}},
     Form::Choice{"One of these.", {"choose"}}};

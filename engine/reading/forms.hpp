@@ -71,6 +71,9 @@ inline constexpr FormValue texts =
 /// Of a map whose keys are bodies.
 inline constexpr std::string_view by_body = R"("propertyNames": {"$ref": "#/definitions/bodyName"})";
 
+/// Of a map whose keys are points.
+inline constexpr std::string_view by_point = R"("propertyNames": {"$ref": "#/definitions/pointName"})";
+
 /// Of a circle.
 inline constexpr FormRow radius =
     FormRow("radius", "r", length).needed(lang::common::the_radius_of_the_circle).positive(lang::common::a_radius);

@@ -19,7 +19,8 @@ constexpr FormRow load_at = FormRow("at", "P", values::point_name).needed(lang::
 constexpr FormRow load_name =
     FormRow("force", "name", values::name).needed(lang::loads::the_force_name).called(lang::loads::the_force_name);
 /// What gives the size of a force; which of them go together is in the choices.
-constexpr FormRow load_value = FormRow("value", "[Fx, Fy]", values::forces).called(lang::loads::a_force_fx_fy);
+constexpr FormRow load_value =
+    FormRow("value", "[Fx, Fy]", values::forces, "The components [Fx, Fy].").called(lang::loads::a_force_fx_fy);
 constexpr FormRow load_magnitude("magnitude", "F", values::force);
 constexpr FormRow load_along = FormRow("along", "X", values::direction).needed(lang::loads::the_direction_of_the_force);
 constexpr FormRow load_pressure("pressure", "p", values::pressure);

@@ -15,13 +15,14 @@ constexpr std::array acceleration_choices{values::accelerations, values::object(
 constexpr FormValue known_velocity = values::any(velocity_choices),
                     known_acceleration = values::any(acceleration_choices);
 
-constexpr std::array motion_rows{
-    FormRow("body", "i", values::body_name).needed(lang::drivers::the_body_that_moves),
-    FormRow("velocities", "{…}", values::map(known_velocity), "Point → [vx, vy] or {\"along\": X}.")
-        .needed(lang::drivers::what_is_known_of_the_velocities)
-        .called(lang::drivers::an_object_of_vectors_by_point),
-    FormRow("accelerations", "{…}", values::map(known_acceleration), "Point → [ax, ay] or {\"along\": X}.")
-        .called(lang::drivers::an_object_of_vectors_by_point)};
+constexpr std::array motion_rows{FormRow("body", "i", values::body_name).needed(lang::drivers::the_body_that_moves),
+                                 FormRow("velocities", "{…}", values::map(known_velocity).with(values::by_point),
+                                         "Point → [vx, vy] or {\"along\": X}.")
+                                     .needed(lang::drivers::what_is_known_of_the_velocities)
+                                     .called(lang::drivers::an_object_of_vectors_by_point),
+                                 FormRow("accelerations", "{…}", values::map(known_acceleration).with(values::by_point),
+                                         "Point → [ax, ay] or {\"along\": X}.")
+                                     .called(lang::drivers::an_object_of_vectors_by_point)};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "engine/number/assert.hpp"
 #include "engine/reading/file_text.hpp"
 #include "engine/reading/forms.hpp"
+#include "lang/keys/notation.hpp"
 
 namespace kinegraph {
 namespace {
@@ -111,22 +112,35 @@ void write_scale(QuantityKind kind, JsonWriter& json) {
     json.member("pattern", kind == QuantityKind::length ? ratio + "|" + equation : equation);
 }
 
+/// What the row says or, if it says nothing, what the message calls it where it is missing.
+std::string said_by(const FormRow& row) {
+    if (!row.says.empty() || row.missing == Key{}) return std::string(row.says);
+    std::string text = row.missing.in(Language::en) + ".";
+    if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+}
+
 /// With what follows from the kind of the quantity.
 std::string description_of(const FormRow& row) {
     const QuantityKind kind = row.value.kind;
+    const std::string says = said_by(row);
     if (row.value.shape == Shape::scale) return "A scale" + in_english(scale_example(kind)) + ".";
-    if (row.value.shape == Shape::quantity && !row.says.empty())
-        return std::string(row.says) + " " + units_of(kind) + ".";
-    if (row.value.shape != Shape::unit) return std::string(row.says);
+    if (row.value.shape == Shape::quantity && !says.empty()) return says + " " + units_of(kind) + ".";
+    if (row.value.shape != Shape::unit) return says;
     return "One of " + units_of(kind) +
            " (`·`, space and * are alike, ² is ^2, ° is deg). Default: " + std::string(default_unit(kind).symbol) +
-           "." + (row.says.empty() ? "" : " ") + std::string(row.says);
+           "." + (says.empty() ? "" : " ") + says;
 }
 
 void write_texts(JsonWriter& json) {
     json.key("anyOf").open('[').open('{').member("type", "string").close();
     json.open('{').member("type", "object").key("properties").open('{');
-    for (const Language language : languages) json.key(code_of(language)).open('{').member("type", "string").close();
+    for (const Language language : languages)
+        json.key(code_of(language))
+            .open('{')
+            .member("description", lang::notation::name.in(language) + ".")
+            .member("type", "string")
+            .close();
     json.close().member("additionalProperties", false).member("minProperties", 1).close().close();
 }
 

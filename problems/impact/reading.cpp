@@ -16,7 +16,8 @@ constexpr std::array impact_body_rows{
     FormRow("mass", "m", values::mass).positive(lang::common::a_mass),
     FormRow("centre", "P", values::place),
     FormRow("inertia", "J", values::inertia).positive(lang::common::a_moment_of_inertia),
-    FormRow("velocity", "[vx, vy]", values::velocities).called(lang::impact::a_vector_vx_vy),
+    FormRow("velocity", "[vx, vy]", values::velocities, "Of the centre of mass, [vx, vy], before the impact.")
+        .called(lang::impact::a_vector_vx_vy),
     FormRow("omega", "…", values::angular_velocity),
     FormRow("pivot", "P", values::place),
     FormRow("fixed", "true", values::flag, "At rest, whatever hits it."),

@@ -35,8 +35,12 @@ constexpr std::array path_line_rows{
 constexpr Form path_line{lang::common::a_line, path_line_rows};
 constexpr std::array path_rows{
     law_row("y").one_of(),
-    FormRow("circle", "{…}", values::object(path_circle)).one_of().called(lang::point_motion::centre_x_y_radius),
-    FormRow("line", "{…}", values::object(path_line)).one_of().called(lang::point_motion::from_x_y_along_x),
+    FormRow("circle", "{…}", values::object(path_circle), "A circle.")
+        .one_of()
+        .called(lang::point_motion::centre_x_y_radius),
+    FormRow("line", "{…}", values::object(path_line), "A straight line.")
+        .one_of()
+        .called(lang::point_motion::from_x_y_along_x),
     FormRow("start", "…", values::number_or_text, "Where s = 0: x of a curve, an angle of a circle. Default: 0.")};
 constexpr Form path_form{lang::point_motion::a_path, path_rows, "What the point moves along; s is its law."};
 constexpr std::array point_motion_rows{
