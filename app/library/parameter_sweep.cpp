@@ -10,6 +10,7 @@
 
 #include "app/library/driver_choice.hpp"
 #include "app/library/limits.hpp"
+#include "app/library/row_curves.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
 #include "constructions/positions/expression_columns.hpp"
@@ -102,40 +103,17 @@ bool is_effort_by_work(const Quantity& held, const Quantity& column) {
            held.given == column.given;
 }
 
+bool is_result(const Column& column) {
+    return column.kind == Column::Kind::result || column.kind == Column::Kind::along;
+}
 /// Forces, efforts, and expressions (the last columns), which may divide by what vanishes.
 std::vector<std::size_t> columns_with_poles(const std::vector<Column>& columns, std::size_t expressions) {
     std::vector<std::size_t> found;
-    for (std::size_t i = 1; i < columns.size(); ++i) {
-        const bool is_result = columns[i].kind == Column::Kind::result || columns[i].kind == Column::Kind::along;
-        if (i + expressions >= columns.size() || (is_result && result_kind(columns[i].quantity).is_of_forces()))
+    for (std::size_t i = 1; i < columns.size(); ++i)
+        if (i + expressions >= columns.size() ||
+            (is_result(columns[i]) && result_kind(columns[i].quantity).is_of_forces()))
             found.push_back(i);
-    }
     return found;
-}
-
-/// Some numbers of a row.
-struct SampledRow {
-    double at = 0;
-    FollowedCurve::Values values;
-};
-/// Curves through rows, interrupted at gaps; none through fewer than three.
-std::vector<FollowedCurve> curves_through(const std::vector<SampledRow>& rows, const std::vector<double>& gaps,
-                                          const FollowedCurve::Evaluate& evaluate) {
-    const auto have_gap = [&](double from, double to) {
-        return std::any_of(gaps.begin(), gaps.end(),
-                           [&](double each) { return (each > from && each < to) || (each < from && each > to); });
-    };
-    std::vector<FollowedCurve> curves;
-    for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
-        for (end = first + 1; end < rows.size() && !have_gap(rows[end - 1].at, rows[end].at);) ++end;
-        if (end - first < 3) continue;
-        const double from = rows[first].at, to = rows[end - 1].at;
-        std::vector<FollowedCurve::Node> nodes;
-        for (std::size_t i = first; i < end; ++i) nodes.push_back({(rows[i].at - from) / (to - from), rows[i].values});
-        curves.emplace_back(FollowedCurve::Stretch{from, to}, evaluate);
-        curves.back().take(std::move(nodes));
-    }
-    return curves;
 }
 
 class ParameterSweep final : public Sweep::State {
@@ -222,7 +200,10 @@ private:
     void solve_all(const Progress& progress) {
         for (std::uint64_t i = 0; i < values_.count; ++i) {
             if (progress) progress(static_cast<long>(i), static_cast<long>(values_.count));
-            if (auto row = row_of(values_.value(i))) {
+            is_checked_ = true;
+            auto row = row_of(values_.value(i));
+            is_checked_ = false;
+            if (row) {
                 pushes_.emplace(row->front(), here_pushing_);
                 if (std::find(here_lacking_.begin(), here_lacking_.end(), true) != here_lacking_.end())
                     lacking_rows_.emplace(row->front(), here_lacking_);
@@ -235,16 +216,20 @@ private:
         has_rows = true;
         if (table.rows.empty()) return;
         find_gaps();
+        find_ends();
         find_poles_and_separations();
         put_rows_on_poles();
     }
 
     // --- between the rows; a value costs a solution, so the rows are the only samples
 
+    std::string text_at(double at) const {
+        return values_.text_of(Exact::from_double(at / table.parameter->unit.si.to_double()));
+    }
     /// The row of any value of the parameter, SI.
     std::optional<std::vector<double>> row_at(double at) {
         stand_beside(at);
-        return row_of(values_.text_of(Exact::from_double(at / table.parameter->unit.si.to_double())));
+        return row_of(text_at(at));
     }
     /// Angles go on from those of the nearest row.
     void stand_beside(double at) {
@@ -263,13 +248,26 @@ private:
                 gaps_.push_back(each);
         }
     }
+    /// Where the file ceases to have an answer, results may grow without limit, as at the limit of a driver.
+    void find_ends() {
+        constexpr std::size_t most = 16;
+        std::vector<double> rows;
+        for (const auto& row : table.rows) rows.push_back(row[0]);
+        ends_ = app::ends_of_answers(
+            rows, gaps_, [this](double at) { return solved_with(text_at(at), true).has_value(); }, most);
+    }
     void find_poles_and_separations() {
-        const std::vector<std::size_t> columns = columns_with_poles(table.columns, expressions_.size());
+        std::vector<std::size_t> columns = columns_with_poles(table.columns, expressions_.size());
+        const std::size_t everywhere = columns.size();
+        for (std::size_t i = 1; !ends_.empty() && i < table.columns.size(); ++i)
+            if (is_result(table.columns[i]) && !is_on_request(table.columns[i]) &&
+                std::find(columns.begin(), columns.end(), i) == columns.end())
+                columns.push_back(i);
         const auto followed = curves_of(columns);
         if (!followed) return;
         table.followed.columns.resize(table.columns.size());
         for (std::size_t i = 0; i < columns.size(); ++i)
-            table.followed.columns[columns[i]] = followed->column(i, false);
+            table.followed.columns[columns[i]] = i < everywhere ? followed->column(i, false) : followed->at_limits(i);
         for (std::size_t i = 0; i < contacts_.size(); ++i)
             for (const auto& [from, to] : followed->negative(columns.size() + i))
                 table.followed.separations.push_back({contacts_[i].joint, from, to});
@@ -289,11 +287,11 @@ private:
             const auto row = row_at(at);
             return row && !lacks(here_lacking_) ? std::optional(wanted(*row, here_pushing_)) : std::nullopt;
         };
-        std::vector<SampledRow> samples;
+        std::vector<app::SampledRow> samples;
         for (const auto& row : table.rows)
             if (empty_.count(row[0]) == 0 && (lacking_rows_.count(row[0]) == 0 || !lacks(lacking_rows_.at(row[0]))))
                 samples.push_back({row[0], wanted(row, pushes_.at(row[0]))});
-        auto curves = curves_through(samples, gaps_, evaluate);
+        auto curves = app::curves_through(samples, gaps_, ends_, evaluate);
         if (curves.empty()) return std::nullopt;
         return FollowedColumns(std::move(curves));
     }
@@ -403,7 +401,7 @@ private:
         }
         if (missing == nullptr) {
             last_ = row;
-            hold_against_check(*solution, row, lacking);
+            if (is_checked_) hold_against_check(*solution, row, lacking);
             here_pushing_.clear();
             for (const PushingContact& each : contacts_)
                 here_pushing_.push_back(each.push(row, each.sense(solution->mechanism, solution->pose)));
@@ -465,6 +463,8 @@ private:
     std::vector<double> last_;
     std::vector<std::string> left_out_;
     std::vector<double> gaps_;                   ///< left out, and no poles
+    std::vector<app::AnswersEnd> ends_;          ///< between rows and gaps
+    bool is_checked_ = false;                    ///< what is solved now is a row, not between rows
     std::map<double, std::vector<bool>> empty_;  ///< of rows on poles, by value: the columns without one
     std::map<double, std::vector<bool>>
         lacking_rows_;  ///< by its value, a row where results on request lack: by column

@@ -14,6 +14,14 @@ namespace {
 
 using Drawing = PointOn<Plane::drawing>;
 
+template <Plane plane>
+const Track<plane>& track_of(const Motion& motion) {
+    if constexpr (plane == Plane::velocity)
+        return motion.velocity;
+    else
+        return motion.acceleration;
+}
+
 /// The sentence for the centre of a pair; none if the pair alone does not determine it.
 std::optional<Key> primary_sentence(const PlanePair& pair) {
     if (pair.is_hinge()) return lang::sentences::primary_revolute;
@@ -268,14 +276,20 @@ void InstantCentres::draw() {
 
 namespace {
 
-/// The velocity of a node's place on a body whose motion is known.
-std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board,
-                                               const Track<Plane::velocity>& track, BodyIndex body, Drawing place) {
-    if (body == frame) return board.pole<Plane::velocity>();
+/// The velocity, or the acceleration, of a node's place on a body whose motion is known.
+template <Plane plane>
+std::optional<PointOn<plane>> tip_on(const Structure& structure, Board& board, const Motion& motion, BodyIndex body,
+                                     Drawing place) {
+    if (body == frame) return board.pole<plane>();
+    const Track<plane>& track = track_of<plane>(motion);
     for (const NodeIndex base : structure.nodes_of(body)) {
         if (!track.has(base)) continue;
         const auto join = board.vector(SpaceDiagram(structure, board).place(base), place);
-        return board.carry(track.tip(base), board.scale<Plane::velocity>(track.spin(body), board.turn(join)));
+        const auto tip = board.carry(track.tip(base), board.scale<plane>(track.spin(body), board.turn(join)));
+        if constexpr (plane == Plane::velocity) return tip;
+        const ScalarHandle omega = motion.velocity.spin(body);
+        if (board.is_zero(omega)) return tip;
+        return board.carry(tip, board.scale<plane>(board.opposite(board.product(omega, omega)), join));
     }
     return std::nullopt;
 }
@@ -287,7 +301,7 @@ void InstantCentres::complete(const Motion& motion, int freedoms) {
     for (Pair& entry : pairs_) {
         if (!track.turns(entry.centre.first) || !track.turns(entry.centre.second)) continue;
         if (!solved(entry)) {
-            from_velocities(entry, motion);
+            from_motion(entry, motion);
             entry.centre.depends_on_drivers = freedoms > 1;
         } else if (!entry.centre.as_one) {
             // The verdict is known from the rank. The question becomes a guard: where the bodies begin or cease to rest
@@ -303,7 +317,8 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     if (!board_.is_zero(board_.difference(track.spin(i), track.spin(j)))) return false;
     if (structure_.nodes_of(j).empty()) return false;
     const Drawing place = diagram_.place(structure_.nodes_of(j).front());
-    const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
+    const auto on_i = tip_on<Plane::velocity>(structure_, board_, motion, i, place),
+               on_j = tip_on<Plane::velocity>(structure_, board_, motion, j, place);
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
 
@@ -326,42 +341,58 @@ std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, Bo
     return places;
 }
 
-void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
+void InstantCentres::from_motion(Pair& entry, const Motion& motion) {
+    const auto found_by = [&](auto rule) {
+        const Board::Mark before = board_.mark();
+        const bool found = rule();
+        if (!found) board_.rewind(before);
+        return found;
+    };
+    if (found_by([&] { return by_relative_motion<Plane::velocity>(entry, motion); })) return;
+    if (!at_relative_rest(entry, motion)) return;
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
-    const auto& track = motion.velocity;
+    const auto& track = motion.acceleration;
+    if (track.polygon >= 0 && track.turns(i) && track.turns(j) &&
+        found_by([&] { return by_relative_motion<Plane::acceleration>(entry, motion); }))
+        return;
+    entry.centre.everywhere = true;
+    entry.centre.how = InstantCentre::How::velocities;
+    entry.centre.statement = say(lang::sentences::centre_by_rigidity, {symbol(i, j), symbol(i, j)});
+}
+
+/// Where the normals to the relative velocities meet. Bodies at rest against each other have none; where they begin to
+/// move, their accelerations are as their velocities will be. False if both are at rest here.
+template <Plane plane>
+bool InstantCentres::by_relative_motion(Pair& entry, const Motion& motion) {
+    constexpr bool moving = plane == Plane::velocity;
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    const Track<plane>& track = track_of<plane>(motion);
     std::vector<std::pair<LineOn<Plane::drawing>, Place>> lines;
-    const StatementIndex statement = say(lang::sentences::centre_from_velocities, {});
+    const Key sentence = moving ? lang::sentences::centre_from_velocities : lang::sentences::centre_from_accelerations;
+    const StatementIndex statement = say(sentence, {});
     const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
-        settle(entry, point, InstantCentre::How::velocities);
+        settle(entry, point, moving ? InstantCentre::How::velocities : InstantCentre::How::accelerations);
         entry.centre.statement = statement;
         const bool two = first.name != second.name;
         board_.statement(statement).message = {
-            lang::sentences::centre_from_velocities,
+            sentence,
             {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
-        if (first.point == none || second.point == none) return;
-        entry.centre.normals = {first.point};
-        if (two) entry.centre.normals.push_back(second.point);
+        if (first.point != none && second.point != none) {
+            entry.centre.normals = {first.point};
+            if (two) entry.centre.normals.push_back(second.point);
+        }
+        return true;
     };
-    const std::vector<Place> places = places_of(j, i);
     const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
-    for (const Place& place : places) {
-        const auto on_i = tip_on(structure_, board_, track, i, place.at),
-                   on_j = tip_on(structure_, board_, track, j, place.at);
-        if (!on_i || !on_j) return;
+    for (const Place& place : places_of(j, i)) {
+        const auto on_i = tip_on<plane>(structure_, board_, motion, i, place.at),
+                   on_j = tip_on<plane>(structure_, board_, motion, j, place.at);
+        if (!on_i || !on_j) return false;
         const auto relative = board_.vector(*on_i, *on_j);
         const bool still = board_.is_zero(relative);
-        if (equal_spins) {
-            if (still) {
-                entry.centre.everywhere = true;
-                entry.centre.how = InstantCentre::How::velocities;
-                entry.centre.statement = statement;
-                board_.statement(statement).message = {lang::sentences::centre_by_rigidity,
-                                                       {symbol(i, j), symbol(i, j)}};
-            } else {
-                settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), place, place);
-            }
-            return;
-        }
+        if (equal_spins && still) return false;
+        if (equal_spins)
+            return settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), place, place);
         if (still) return settle_here(place.at, place, place);
         const auto line = board_.through(place.at, board_.perpendicular(board_.direction(relative)));
         for (const auto& [earlier, other] : lines) {
@@ -369,6 +400,7 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
         }
         lines.emplace_back(line, place);
     }
+    return false;
 }
 
 void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vector<SecondWay>& results) {
@@ -393,6 +425,10 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         results.push_back(
             {body, Recorded<Exact>::at(found.element), board_.is_zero(board_.difference(found, track.spin(body)))});
     }
+}
+
+bool InstantCentres::are_found() const {
+    return std::all_of(pairs_.begin(), pairs_.end(), [&](const Pair& entry) { return solved(entry); });
 }
 
 std::vector<InstantCentre> InstantCentres::results() const {

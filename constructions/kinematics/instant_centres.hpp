@@ -24,8 +24,11 @@ public:
 
     /// Primary centres and Kennedy's theorem; uses geometry only, no velocities.
     void draw();
-    /// The centres that Kennedy's theorem does not give, from velocities. `freedoms`: of the mechanism; with more than
-    /// one, a centre found this way is valid for this ratio of the drivers only.
+    /// Whether Kennedy's theorem gave all.
+    bool are_found() const;
+    /// The centres that Kennedy's theorem does not give, from velocities; of bodies that only begin to move against
+    /// each other, from accelerations. `freedoms`: of the mechanism; with more than one, a centre found this way is
+    /// valid for this ratio of the drivers only.
     void complete(const Motion& motion, int freedoms);
     /// Angular velocities again, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db, for a body d driven against the
     /// frame.
@@ -70,7 +73,10 @@ private:
         PointIndex point = none;
     };
     std::vector<Place> places_of(BodyIndex first, BodyIndex second);
-    void from_velocities(Pair& pair, const Motion& motion);
+    /// From the velocities; of bodies at rest against each other, from their accelerations.
+    void from_motion(Pair& pair, const Motion& motion);
+    template <Plane plane>
+    bool by_relative_motion(Pair& pair, const Motion& motion);
     bool at_relative_rest(const Pair& pair, const Motion& motion);
 
     Structure& structure_;

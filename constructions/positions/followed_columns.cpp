@@ -65,6 +65,15 @@ FollowedColumn FollowedColumns::column(std::size_t i, bool whole) const {
     return found;
 }
 
+FollowedColumn FollowedColumns::at_limits(std::size_t i) const {
+    FollowedColumn found;
+    const double travel = travel_of_curves(curves_);
+    for (const FollowedCurve& curve : curves_)
+        for (const FollowedCurve::Crossing& each : curve.poles_at_limits(i))
+            add_once(found.poles, place_on(curve, each.t, travel), travel);
+    return found;
+}
+
 std::vector<std::pair<double, double>> FollowedColumns::negative(std::size_t i) const {
     std::vector<std::pair<double, double>> found;
     const double travel = travel_of_curves(curves_);

@@ -17,6 +17,8 @@ public:
 
     /// Function `i`. Unless `whole`, only its poles.
     FollowedColumn column(std::size_t i, bool whole) const;
+    /// Where function `i` grows without limit at a limit; nothing else of it.
+    FollowedColumn at_limits(std::size_t i) const;
     /// Where function `i` is negative, in order.
     std::vector<std::pair<double, double>> negative(std::size_t i) const;
 

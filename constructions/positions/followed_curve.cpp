@@ -123,6 +123,14 @@ double FollowedCurve::Stretch::slope(double t) const {
     return way;
 }
 
+double FollowedCurve::Stretch::parameter(double place) const {
+    const double share = std::clamp((place - from) / (to - from), 0.0, 1.0);
+    if (starts_at_limit && ends_at_limit) return 2 / half_turn * nearest::asin(std::sqrt(share));
+    if (starts_at_limit) return std::sqrt(share);
+    if (ends_at_limit) return 1 - std::sqrt(1 - share);
+    return share;
+}
+
 // --- samples
 
 std::optional<FollowedCurve::Node> FollowedCurve::node(double t) const {
@@ -290,6 +298,15 @@ std::vector<FollowedCurve::Crossing> FollowedCurve::crossings(std::size_t i, boo
     add_touching(i, found);
     add_at_ends(i, found);
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+    return found;
+}
+
+std::vector<FollowedCurve::Crossing> FollowedCurve::poles_at_limits(std::size_t i) const {
+    std::vector<Crossing> found;
+    add_at_ends(i, found);
+    std::erase_if(found, [&](const Crossing& each) {
+        return !each.is_pole || !(each.t == 0 ? stretch_.starts_at_limit : stretch_.ends_at_limit);
+    });
     return found;
 }
 

@@ -28,7 +28,8 @@ public:
         double from = 0, to = 0;
         bool starts_at_limit = false, ends_at_limit = false;
         double at(double t) const;
-        double slope(double t) const;  ///< derivative of the coordinate
+        double slope(double t) const;          ///< derivative of the coordinate
+        double parameter(double place) const;  ///< t of a coordinate
     };
     struct Node {
         double t = 0;
@@ -49,7 +50,7 @@ public:
 
     /// Samples at equal steps of t, and then between them until all functions are resolved.
     void sample(int intervals);
-    /// Takes samples that were made elsewhere, in order: by coordinate, without a limit.
+    /// Takes samples that were made elsewhere, in order.
     void take(std::vector<Node> nodes) { nodes_ = std::move(nodes); }
 
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -58,6 +59,8 @@ public:
 
     /// Zeros and poles of function `i`, in order. A stretch of zeros is none. With `poles_only` zeros may be missing.
     std::vector<Crossing> crossings(std::size_t i, bool poles_only) const;
+    /// Poles at the limits alone.
+    std::vector<Crossing> poles_at_limits(std::size_t i) const;
     /// The largest of `sign` times the function; the ends of the stretch count. None without samples.
     std::optional<Extreme> largest(std::size_t i, int sign) const;
     /// Integrals over the coordinate: of the function, and of its size.

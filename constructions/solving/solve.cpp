@@ -57,20 +57,29 @@ Wanted wanted_of(const Mechanism& mechanism) {
     return wanted;
 }
 
-bool is_moving(const Mechanism& mechanism) {
-    for (const Driver& driver : mechanism.drivers) {
-        const bool still = std::visit(
-            [](const auto& given) {
+template <class Rates>
+bool any_driver(const Mechanism& mechanism, Rates is) {
+    return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+        return std::visit(
+            [&](const auto& given) {
                 if constexpr (requires { given.omega; }) {
-                    return given.omega.is_zero();
+                    return is(given.omega, given.alpha);
                 } else {
-                    return given.speed.is_zero();
+                    return is(given.speed, given.acceleration);
                 }
             },
             driver);
-        if (!still) return true;
-    }
-    return false;
+    });
+}
+
+bool is_moving(const Mechanism& mechanism) {
+    return any_driver(mechanism, [](const Exact& rate, const Exact&) { return !rate.is_zero(); });
+}
+
+/// Whether a driver that rests begins to move.
+bool begins_to_move(const Mechanism& mechanism) {
+    return any_driver(mechanism,
+                      [](const Exact& rate, const Exact& change) { return rate.is_zero() && !change.is_zero(); });
 }
 
 /// Draws everything on one board and collects the results.
@@ -122,11 +131,13 @@ private:
     void draw_mechanism() {
         InstantCentres centres(structure_, board_, wanted_.centres ? rest_here() : RelativeRest{});
         if (wanted_.centres) centres.draw();
+        if (wanted_.centres && !centres.are_found()) want_motion_for_centres();
         if (wanted_.velocities || wanted_.accelerations) {
             draw_motion_of_bodies();
             if (wanted_.centres) {
                 second_way(centres);
-                if (is_moving(mechanism_)) centres.complete(motion_, solution_.mobility.effective);
+                if (is_moving(mechanism_) || begins_to_move(mechanism_))
+                    centres.complete(motion_, solution_.mobility.effective);
             }
             solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
@@ -137,6 +148,12 @@ private:
             if (wanted_.curvature) explain_missing_curvature(drawn_motion());
         }
         if (wanted_.centres) collect_centres(centres);
+    }
+
+    /// Centres that depend on the drivers are the same whatever else is asked: they take the motion that gives them.
+    void want_motion_for_centres() {
+        wanted_.velocities = wanted_.velocities || is_moving(mechanism_) || begins_to_move(mechanism_);
+        wanted_.accelerations = wanted_.accelerations || begins_to_move(mechanism_);
     }
 
     RelativeRest rest_here() {

@@ -200,19 +200,21 @@ Equilibria::Motion Equilibria::motion_of(const Row& row) const {
 
 std::size_t Equilibria::moving(const Row& row) const { return motion_of(row).members.size(); }
 
-Equilibria::Motion Equilibria::simplest(Row row) {
+Equilibria::Motion Equilibria::simplest(Row row, const Row* known) {
     if (!follows_motions()) return motion_of(row);
-    for (const Row& free : rows_) {
-        if (free.pivot >= 0) continue;
+    const auto simplify = [&](const Row& by) {
         Row best = row;
         for (std::size_t i = 0; i < row.motion.size(); ++i) {
-            if (!row.motion[i] || !free.motion[i]) continue;
+            if (!row.motion[i] || !by.motion[i]) continue;
             Row tried = row;
-            subtract(tried, free, board_.quotient(*row.motion[i], *free.motion[i]));
+            subtract(tried, by, board_.quotient(*row.motion[i], *by.motion[i]));
             if (moving(tried) < moving(best)) best = std::move(tried);
         }
         row = std::move(best);
-    }
+    };
+    for (const Row& free : rows_)
+        if (free.pivot < 0) simplify(free);
+    if (known != nullptr) simplify(*known);
     return motion_of(row);
 }
 
@@ -271,12 +273,17 @@ std::optional<Equilibria::Component> Equilibria::component(std::size_t first, st
     }
     // c = (−y, x) of the change; in the combination c_0 row + c_1 row only c · F is left.
     const Cell c_0 = y[some] ? Cell(board_.opposite(*y[some])) : Cell(), c_1 = x[some];
+    const Row sum = combined(c_0, first, c_1, second);
+    return component(c_0, first, c_1, second, sum, simplest(sum));
+}
+
+Equilibria::Component Equilibria::component(const Cell& c_0, std::size_t first, const Cell& c_1, std::size_t second,
+                                            const Row& sum, Motion motion) {
     const auto along = [&](const Cell& c, std::size_t column) {
         return board_.scale<Plane::force>(c ? *c : board_.number(0), board_.direction(*columns_[column].unit));
     };
     const Force direction = board_.add(along(c_0, first), along(c_1, second));
-    const Row sum = combined(c_0, first, c_1, second);
-    Component found{direction, !sum.power, board_.direction(direction), simplest(sum)};
+    Component found{direction, !sum.power, board_.direction(direction), std::move(motion)};
     if (!sum.power) return found;
     const Cell square_0 = times(c_0, c_0), square_1 = times(c_1, c_1);
     const ScalarHandle square = square_0 && square_1 ? board_.sum(*square_0, *square_1)
@@ -287,7 +294,7 @@ std::optional<Equilibria::Component> Equilibria::component(std::size_t first, st
     return found;
 }
 
-Equilibria::Alike Equilibria::of(int bond) {
+std::pair<std::vector<std::size_t>, std::optional<std::size_t>> Equilibria::columns_of(int bond) const {
     std::vector<std::size_t> forces;
     std::optional<std::size_t> couple;
     for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -297,6 +304,31 @@ Equilibria::Alike Equilibria::of(int bond) {
         else
             couple = c;
     }
+    return {std::move(forces), couple};
+}
+
+Equilibria::Alike Equilibria::of(int bond, DirectionHandle first) {
+    const auto found = columns_of(bond);
+    const std::vector<std::size_t>& forces = found.first;
+    KG_ASSERT(forces.size() == 2, "a hinge has two components");
+    const Force way = board_.scale<Plane::force>(board_.number(1), first);
+    const auto part = [&](const Vector& across) {
+        const ScalarHandle value = board_.moment(board_.own_direction(across), way);
+        return board_.is_zero(value) ? Cell() : Cell(value);
+    };
+    const Cell x = part({0, -1}), y = part({1, 0}), across = y ? Cell(board_.opposite(*y)) : Cell();
+    const Row one = combined(x, forces[0], y, forces[1]), other = combined(across, forces[0], x, forces[1]);
+    Alike alike;
+    alike.components.push_back(component(x, forces[0], y, forces[1], one, simplest(one)));
+    alike.components.push_back(component(across, forces[0], x, forces[1], other, simplest(other, &one)));
+    alike.whole_force = alike.all = true;
+    return alike;
+}
+
+Equilibria::Alike Equilibria::of(int bond) {
+    const auto found = columns_of(bond);
+    const std::vector<std::size_t>& forces = found.first;
+    const std::optional<std::size_t> couple = found.second;
     Alike alike;
     alike.whole_force =
         std::all_of(forces.begin(), forces.end(), [&](std::size_t c) { return vanishes(change_of(c)); });

@@ -60,6 +60,9 @@ public:
     /// The motions that all constraints and input forces allow.
     const std::vector<Motion>& free_motions() const { return free_; }
     Alike of(int bond);
+    /// The force of a hinge that equilibrium determines: its component along a direction, then the one across it. The
+    /// first is known in the second's motion and may do work there. Precondition: `of(bond).all`, of a hinge.
+    Alike of(int bond, DirectionHandle first);
 
     /// The place about which a member turns; none if it translates.
     std::optional<PlaceOnDrawing> centre(const Motion::Twist& twist);
@@ -107,7 +110,8 @@ private:
     Motion motion_of(const Row& row) const;
     /// The motion for the same force with as few moving members as possible: free motions do no work, so they may be
     /// subtracted.
-    Motion simplest(Row row);
+    /// `known`: of a force that is known by then, so that its work does not matter.
+    Motion simplest(Row row, const Row* known = nullptr);
     std::size_t moving(const Row& row) const;
     /// The row in which a column is the pivot; null if the column is free.
     const Row* row_of(std::size_t column) const;
@@ -117,6 +121,11 @@ private:
     /// c_0 · row of the first + c_1 · row of the second.
     Row combined(const Cell& c_0, std::size_t first, const Cell& c_1, std::size_t second);
     std::optional<Component> component(std::size_t first, std::size_t second);
+    /// c · F of the force with these two columns, from the combination of their rows.
+    Component component(const Cell& c_0, std::size_t first, const Cell& c_1, std::size_t second, const Row& sum,
+                        Motion motion);
+    /// The columns of a bond's force, and of its couple.
+    std::pair<std::vector<std::size_t>, std::optional<std::size_t>> columns_of(int bond) const;
     Component along_unit(std::size_t column);
 
     const ForceModel& model_;

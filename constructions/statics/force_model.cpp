@@ -24,26 +24,7 @@ ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
         bonds_of_[at(bonds_[b].first)].push_back(static_cast<int>(b));
         bonds_of_[at(bonds_[b].second)].push_back(static_cast<int>(b));
     }
-    joint_bonds_ = bonds_.size();
     loads_ = loads_of_members(structure, board, motion, pin_of_);
-}
-
-void ForceModel::add_components(int hinge) {
-    for (const Vector& along : {Vector{1, 0}, Vector{0, 1}}) {
-        Bond part = bonds_[at(hinge)];
-        part.kind = Bond::Kind::line;
-        part.direction = board_.own_direction(along);
-        part.part_of = hinge;
-        const int index = static_cast<int>(bonds_.size());
-        bonds_of_[at(part.first)].push_back(index);
-        bonds_of_[at(part.second)].push_back(index);
-        bonds_.push_back(std::move(part));
-    }
-}
-
-void ForceModel::drop_components() {
-    for (auto& bonds : bonds_of_) std::erase_if(bonds, [&](int b) { return bonds_[at(b)].part_of >= 0; });
-    bonds_.resize(joint_bonds_);
 }
 
 std::string ForceModel::member_name(MemberIndex member) const {
@@ -154,7 +135,7 @@ bool ForceModel::pulls(std::size_t b, const Run& run) {
 
 std::vector<JointIndex> ForceModel::pulling_teeth(const Run& run) {
     std::vector<JointIndex> teeth;
-    for (std::size_t b = 0; b < joint_bonds_; ++b)
+    for (std::size_t b = 0; b < bonds_.size(); ++b)
         if (is_of_teeth(b) && pulls(b, run)) teeth.push_back(bonds_[b].joint);
     return teeth;
 }
@@ -163,7 +144,7 @@ void ForceModel::turn_flanks(const std::vector<JointIndex>& teeth) {
     for (const JointIndex joint : teeth)
         if (!mirrored_gears_.insert(joint).second) mirrored_gears_.erase(joint);
     // Computes the lines of all teeth again: earlier board elements may have been rewound.
-    for (std::size_t b = 0; b < joint_bonds_; ++b) {
+    for (std::size_t b = 0; b < bonds_.size(); ++b) {
         if (!is_of_teeth(b)) continue;
         const JointIndex joint = bonds_[b].joint;
         bonds_[b].direction = mirrored_gears_.contains(joint) ? board_.other_normal(joint) : board_.normal(joint);

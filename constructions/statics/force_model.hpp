@@ -30,18 +30,12 @@ public:
     const std::vector<Bond>& bonds() const { return bonds_; }
     /// Indices of a member's bonds.
     const std::vector<int>& bonds_of(MemberIndex member) const { return bonds_of_[at(member)]; }
-    /// Number of bonds of joints and input forces; components of hinges come after them.
-    std::size_t joint_bonds() const { return joint_bonds_; }
     const std::vector<Load>& loads() const { return loads_.loads; }
     /// Inertia forces offset so that they include their couples, and their arms.
     const std::vector<Added>& moved() const { return loads_.moved; }
     const std::vector<Lever>& shifts() const { return loads_.shifts; }
     /// The point of a pin member.
     PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
-
-    /// Adds the x and y components of a hinge's force as bonds, for a trial.
-    void add_components(int hinge);
-    void drop_components();
 
     std::string member_name(MemberIndex member) const;
     bool is_pin(MemberIndex member) const { return at(member) >= mechanism_.bodies.size(); }
@@ -95,7 +89,6 @@ private:
     std::vector<PointIndex> pins_;
     PinMembers pin_of_;
     std::vector<Bond> bonds_;
-    std::size_t joint_bonds_ = 0;
     std::vector<std::vector<int>> bonds_of_;
     LoadsOfMembers loads_;
     std::set<JointIndex> mirrored_gears_;

@@ -37,7 +37,6 @@ struct Bond {
     int effort = -1;
     PlaceOnDrawing place;
     DirectionHandle direction;  ///< line: along it; guide: normal to it
-    int part_of = -1;           ///< ≥ 0: this bond is the x or y component of that bond's force (a hinge)
     Symbol symbol;              ///< of the force on `first`
     Symbol reverse;             ///< of the force on `second`
 };
@@ -87,8 +86,13 @@ struct Resolved {
     MemberIndex member;
 };
 
-/// The virtual motion that gave a force which every equilibrium shares.
+/// The virtual motion that gave a force where no order of bodies led on.
 struct Released {
+    struct Known {
+        MemberIndex member;
+        Force force;
+        PlaceOnDrawing place;
+    };
     struct Turning {
         MemberIndex member;
         std::optional<ScalarHandle> omega;     ///< none if it translates
@@ -96,6 +100,7 @@ struct Released {
         std::string name;                      ///< of the centre
     };
     std::vector<Turning> members;  ///< those that move
+    std::vector<Known> known;      ///< reactions that were known by then
     int bond = -1;
     Symbol sought;
     std::optional<DirectionHandle> along;  ///< of the force sought; none for a couple
@@ -153,7 +158,7 @@ struct Run {
     StatementIndex summed = none;  ///< the sentence that adds them
     Group redundant;  ///< members with reactions that equilibrium leaves open, though there is an equilibrium
     bool complete = false;
-    bool in_parts = false;  ///< a sum of separately found parts, or of trials
+    bool in_parts = false;  ///< a sum of separately found parts
 };
 
 /// The loads of one member alone.

@@ -1,7 +1,7 @@
 // Forces: graphical statics and kinetostatics of the whole mechanism. Finds lines of action before magnitudes, body by
 // body: two-force bodies, three concurrent forces, Culmann's line for four, a couple as force times arm. Bodies that
 // slide in one another may be taken together. Several loads are superposed. If no order of bodies leads to the end, one
-// trial value is used (the problem is linear).
+// force after the other is found by moments or by virtual work; of large structures, by elimination.
 //
 // A Bond is the interaction of two bodies at a joint or through an input force or couple. It is a force through a point
 // (hinge, rolling), a force normal to a guide at an unknown place (sleeve), a force along a line (slot, contact, gear,

@@ -47,7 +47,7 @@ void TrussDrawing::open_plan() { opening_ = known_.say(lang::sentences::truss_pl
 bool TrussDrawing::settle_joints(int pin, Run& run) {
     const ElementIndex here = known_.place(pin).element;
     std::vector<int> bonds;
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b)
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b)
         if (model_.bonds()[b].place.element == here) bonds.push_back(static_cast<int>(b));
     const auto unknown_of = [&](MemberIndex member) {
         std::vector<int> unknown;

@@ -31,7 +31,7 @@ std::vector<Unsupported> unsupported_bodies(ForceModel& model, Board& board, con
     }
     if (mobility.effective <= static_cast<int>(mechanism.efforts.size())) return found;
     Run nothing_known;
-    nothing_known.reactions.resize(model.joint_bonds());
+    nothing_known.reactions.resize(model.bonds().size());
     const PlaceOnDrawing origin = board.place(PointIndex(0));
     for (Group& group : single_on_frame(model)) {
         Equilibria all(model, board, nothing_known, group, origin,

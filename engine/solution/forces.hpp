@@ -109,7 +109,7 @@ struct FreeBody {
     std::vector<Symbol> open;         ///< forces and couples on it that equilibrium does not determine
     int polygon = -1;                 ///< index in Protocol::polygons; −1 where all forces vanish
     StatementIndex statement = none;  ///< after which all its forces are known
-    bool in_parts = false;  ///< its forces are sums of parts or trials: no single statement closed its polygon
+    bool in_parts = false;            ///< its forces are sums of parts: no single statement closed its polygon
 };
 /// Bodies that were balanced as one, with the polygon of the external actions on them.
 struct TakenTogether {

@@ -42,7 +42,7 @@ struct EquivalentLinkage {
 /// An instant centre P_ij.
 struct InstantCentre {
     BodyIndex first = frame, second = frame;  ///< frame first, then in the file's order
-    enum class How { unknown, primary, kennedy, velocities, rest } how = How::unknown;
+    enum class How { unknown, primary, kennedy, velocities, accelerations, rest } how = How::unknown;
     Recorded<ProjectivePoint> at;     ///< finite or at infinity
     bool everywhere = false;          ///< the bodies have no relative motion
     bool as_one = false;              ///< … in any position: their joints make them one rigid body

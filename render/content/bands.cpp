@@ -348,6 +348,13 @@ bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
     });
 }
 
+/// Whether it stands where the sentences before it do, whose forces are known by then: it closes no polygon.
+bool tells_of_one_equation(Key sentence) {
+    using namespace lang::sentences;
+    return sentence == moments_give || sentence == components_give || sentence == translation_gives ||
+           sentence == virtual_work_gives;
+}
+
 /// Whether two polygons show the same relative motion of a point for the same observer.
 bool of_one_motion(const Polygon& a, const Polygon& b) {
     return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
@@ -486,23 +493,24 @@ void Bands::collect_motion() {
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
-    std::vector<std::size_t> after_velocities;
-    std::size_t last_of_velocities = 0;  // band
+    std::map<Topic, std::vector<std::size_t>> after;
+    std::map<Topic, std::size_t> last_after;  // band
     for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
         const Topic topic = protocol.statements[i].section;
         if (topic == Topic::forces || topic == Topic::curvature) continue;
         const auto polygon = polygon_of.find(StatementIndex(i));
         const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
-        if (follows_velocities(protocol.statements[i].message.sentence)) {
-            after_velocities.push_back(i);
+        if (const auto motion = follows(protocol.statements[i].message.sentence)) {
+            after[*motion].push_back(i);
             continue;
         }
         // A statement that draws nothing stands with what was drawn before it.
         if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
         add_step(list[last_of[topic]], i);
-        if (topic == Topic::velocity) last_of_velocities = last_of[topic];
+        last_after[topic] = last_of[topic];
     }
-    for (const std::size_t i : after_velocities) add_step(list[last_of_velocities], i);
+    for (const auto& [motion, statements] : after)
+        for (const std::size_t i : statements) add_step(list[last_after[motion]], i);
     collect_curvature();
 }
 
@@ -540,6 +548,7 @@ void Bands::collect_forces() {
     const std::vector<std::size_t> parts = collect_superposition();
     collect_bodies();
     if (solution_.truss) add({{FigureKind::truss}, {FigureKind::force_plan}}).parts.push_back({Kind::bars});
+    std::size_t home = at_lines;
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
         if (const int part = part_of(solution_, StatementIndex(i)); part != all_loads) {
@@ -550,7 +559,9 @@ void Bands::collect_forces() {
             add_step(list[home_of_sums(parts)], i);
             continue;
         }
-        add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
+        if (!tells_of_one_equation(solution_.protocol.statements[i].message.sentence))
+            home = home_of_forces(StatementIndex(i), at_lines);
+        add_step(list[home], i);
     }
     if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
     for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{})

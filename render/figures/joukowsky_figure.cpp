@@ -346,7 +346,8 @@ bool found_by_works(const Solution& solution) {
     return std::any_of(
         solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
             const Statement& said = solution.protocol.statements[at_index(motion.statement)];
-            return said.message.sentence == lang::sentences::virtual_work_alone &&
+            return (said.message.sentence == lang::sentences::virtual_work_alone ||
+                    said.message.sentence == lang::sentences::virtual_work_gives) &&
                    std::any_of(said.finds.begin(), said.finds.end(),
                                [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
         });

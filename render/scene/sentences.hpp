@@ -1,6 +1,7 @@
 // Classes of sentences, for shortening a solution. Produces no text and computes nothing.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/board/protocol.hpp"
@@ -19,8 +20,9 @@ bool may_be_told_together(const Message& first, const Message& second);
 /// The sentence that says the same of all subjects, with the arithmetic of each. At least two messages, each of which
 /// may be told together with the first.
 Message told_together(const std::vector<const Message*>& messages);
-/// Whether it uses the velocities, whatever it is about, so that it stands after them.
-bool follows_velocities(Key sentence);
+/// The motion that a sentence about centres uses, so that it stands after it: velocity or acceleration; none if it
+/// stands with its own topic.
+std::optional<Topic> follows(Key sentence);
 
 /// Whether a statement only follows from another (images, equal rotations), so that a brief solution omits it. False if
 /// it introduces a name that another statement uses.

@@ -21,6 +21,7 @@
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
 #include "render/sheet/handout.hpp"
+#include "render/sheet/sheet_limits.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -151,9 +152,6 @@ private:
 
 namespace {
 
-/// In brief a solution of more sentences and loads than these keeps no scale: dozens of pages are not planned twice.
-constexpr std::size_t most_compared = 300;
-
 /// A problem has the same scales in every language, and no coarser ones in brief, where that costs no page.
 std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     if (options.kept) return options.kept;
@@ -162,8 +160,7 @@ std::optional<KeptScales> scales_to_keep(const Solution& solution, const SheetOp
         other.language = Language::en;
         return scales_of_solution(solution, other, fonts);
     }
-    const std::size_t size = solution.protocol.statements.size() + solution.mechanism.loads.size();
-    if (options.detail == SolutionDetail::full || size > most_compared) return std::nullopt;
+    if (options.detail == SolutionDetail::full || !is_planned_twice(solution)) return std::nullopt;
     other.detail = SolutionDetail::full;
     KeptScales kept = scales_of_solution(solution, other, fonts);
     kept.hold = KeptScales::Hold::not_coarser;

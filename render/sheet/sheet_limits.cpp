@@ -7,6 +7,11 @@
 
 namespace kinegraph::render {
 
+bool is_planned_twice(const Solution& solution) {
+    return solution.protocol.statements.size() + solution.mechanism.loads.size() <= most_compared &&
+           solution.protocol.polygons.size() <= most_compared_polygons;
+}
+
 std::optional<Words> beyond_sheet(const Solution& solution) {
     const std::size_t sentences = solution.protocol.statements.size(), polygons = solution.protocol.polygons.size();
     if (sentences > most_sentences)

@@ -22,7 +22,12 @@ constexpr std::size_t most_displacements = 12;
 constexpr std::size_t most_drawn_bodies = 250;
 /// Sentences of a solution that is drawn step by step, on a page each.
 constexpr std::size_t most_steps = 240;
+/// Sentences and loads, and polygons, of a solution whose brief sheet is compared with its full one: planning takes
+/// nearly all of the time of a sheet, and a comparison plans three times.
+constexpr std::size_t most_compared = 300, most_compared_polygons = 24;
 
+/// Whether a brief sheet keeps the scales of the full one: those of dozens of pages are not compared.
+bool is_planned_twice(const Solution& solution);
 /// Why a solution is not laid out, with the limit and a remedy; none if it is.
 std::optional<Words> beyond_sheet(const Solution& solution);
 /// The same of its steps.

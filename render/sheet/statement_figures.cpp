@@ -57,9 +57,9 @@ std::vector<StatementIndex> StatementFigures::in_order() const {
     for (const Statement& statement : statements())
         if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
             sections.push_back(statement.section);
-    const bool has_velocities = std::find(sections.begin(), sections.end(), Topic::velocity) != sections.end();
     const auto section_of = [&](const Statement& statement) {
-        return has_velocities && follows_velocities(statement.message.sentence) ? Topic::velocity : statement.section;
+        const Topic after = follows(statement.message.sentence).value_or(statement.section);
+        return std::find(sections.begin(), sections.end(), after) != sections.end() ? after : statement.section;
     };
     std::vector<StatementIndex> order;
     for (const Topic section : sections)

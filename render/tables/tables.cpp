@@ -632,14 +632,16 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
         append_point(line, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
         append(text, line);
     }
-    const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != frame;
-    for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
+    const bool by_accelerations = centre.how == InstantCentre::How::accelerations,
+               by_motion = by_accelerations || centre.how == InstantCentre::How::velocities;
+    const bool is_normal_to_motion = by_motion && (by_accelerations || centre.first != frame);
+    for (const PointIndex p : is_normal_to_motion ? std::vector<PointIndex>{} : centre.normals) {
         join();
         append(text, word(lang::sheet::normal_at, language) + " ");
         append(text, point(p));
     }
-    if (text.empty() && centre.how == InstantCentre::How::velocities)
-        append(text, word(lang::sheet::from_velocities, language));
+    if (text.empty() && by_motion)
+        append(text, word(by_accelerations ? lang::sheet::from_accelerations : lang::sheet::from_velocities, language));
     return text;
 }
 

@@ -587,6 +587,37 @@ TEST_F(Sweep, PolesOverAParameterAreFoundBetweenTheRowsAndOnThem) {
     }
 }
 
+/// Where a coupler becomes too short or too long to close, what turns grows without limit: at both ends of the lengths
+/// that close, between the rows.
+TEST_F(Sweep, WhereAFileCeasesToCloseItsGrowthIsFound) {
+    write("bar.json", R"({"kinegraph": 1, "frame": 1, "parameters": {"l": 5},
+        "points": {"O": [0, 0], "A": [1, 2], "Q": [6, 0],
+        "B": {"meet": [{"circle": "A", "radius": "= l"}, {"circle": "Q", "radius": 3}], "side": "left"}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
+        "drivers": [{"body": 2, "omega": 1}], "loads": [{"force": "W", "body": 4, "at": "B", "value": [0, -10]}],
+        "effort": {"couple": "M", "body": 2}, "find": ["velocity", "forces"]})");
+    const double distance = std::sqrt(29.0);
+    for (const std::string steps : {"16", "37", "80"}) {
+        SCOPED_TRACE(steps);
+        const Outcome swept = run("sweep bar.json --over l --from 2 --to 10 --steps " + steps + " -o a.json");
+        ASSERT_EQ(swept.status, 3) << swept.err;
+        const Json poles = Json::parse(contents(folder_ / "a.json"))["poles"];
+        for (const char* column : {"omega 4", "effort M", "vy B"}) {
+            std::vector<double> found;
+            for (const Json& each : poles)
+                if (each["column"] == column) found.push_back(each["at"]);
+            ASSERT_EQ(found.size(), 2U) << column;
+            EXPECT_NEAR(found[0], distance - 3, 8e-9) << column;
+            EXPECT_NEAR(found[1], distance + 3, 8e-9) << column;
+        }
+        EXPECT_TRUE(std::none_of(poles.begin(), poles.end(), [](const Json& each) {
+            return each["column"] == "omega 2" || each["column"] == "x B";
+        }));
+    }
+}
+
 TEST_F(Sweep, OverASpeedTheJumpSpeedOfAFollowerIsFound) {
     // The spring presses with k (17.5 mm + y), the follower needs m ω² y; y = 12 mm.
     write("cam.json", R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 0,

@@ -103,7 +103,8 @@ struct Statics {
             {superposition, "alone"},
             {superposition_next, "alone"},
             {superposition_sum, "sum"},
-            {trial, "trial"},
+            {moments_give, "moments"},
+            {virtual_work_gives, "virtual work"},
         };
         for (const auto& [key, name] : names)
             if (key == sentence) return name;

@@ -326,17 +326,14 @@ void expect_three_centres_on_a_line(const Solution& solution) {
             }
 }
 
-/// `image`: of the same mechanism, turned and given in another order. With `less` a centre that only the velocities
-/// give may be missing there.
-void expect_same_centres(const Solution& original, const Solution& image, const Similarity& by, bool less) {
+/// `image`: of the same mechanism, turned, given in another order, or asked for less.
+void expect_same_centres(const Solution& original, const Solution& image, const Similarity& by) {
     const bool exact = original.pose.exact;
     const auto there = centres_of(image);
     ASSERT_EQ(there.size(), original.centres.size());
     for (const auto& [names, a] : centres_of(original)) {
         const InstantCentre& b = there.at(names);
         const std::string what = "centre " + names.first + "," + names.second;
-        const bool by_velocities = a.how == InstantCentre::How::velocities;
-        if (less && by_velocities && b.how == InstantCentre::How::unknown) continue;
         EXPECT_EQ(a.everywhere, b.everywhere) << what;
         ASSERT_EQ(a.at.has_value(), b.at.has_value()) << what;
         if (!a.at) continue;
@@ -369,6 +366,18 @@ public:
                 {{"revolute", point}, {"bodies", {body, name}}, {"name", name + " " + std::to_string(++pins_)}});
     }
     void drive_nothing() { file_.erase("drivers"); }
+    bool is_driven() const { return file_.contains("drivers"); }
+    /// Its drivers rest, and have for accelerations what were their speeds.
+    void start_from_rest() {
+        at_speed_ = file_;
+        for (auto& driver : file_["drivers"])
+            for (const auto& [rate, change] : {std::pair("omega", "alpha"), {"speed", "acceleration"}}) {
+                if (!driver.contains(rate)) continue;
+                driver[change] = driver[rate];
+                driver[rate] = 0;
+            }
+    }
+    std::string at_speed() const { return at_speed_.dump(); }
     std::string text() const { return file_.dump(); }
     std::string reordered() {
         Json other = file_;
@@ -392,7 +401,7 @@ private:
     }
 
     Random& random_;
-    Json file_;
+    Json file_, at_speed_;
     int links_ = 0, pins_ = 0;
 };
 
@@ -416,13 +425,16 @@ void hold_centres(int quarter) {
         VariedFile file(drawn.text, random);
         for (int links = random.whole(0, 3); links > 0; --links) file.add_link();
         if (random.chance(50)) file.drive_nothing();
+        const bool begins_to_move = random.chance(30) && file.is_driven();
+        if (begins_to_move) file.start_from_rest();
         const Mechanism mechanism = from_text(file.text());
         const Solution solution = with_find(mechanism, true);
         expect_three_centres_on_a_line(solution);
-        expect_same_centres(solution, with_find(mechanism, false), {}, true);
-        expect_same_centres(solution, with_find(from_text(file.reordered()), true), {}, false);
+        expect_same_centres(solution, with_find(mechanism, false), {});
+        expect_same_centres(solution, with_find(from_text(file.reordered()), true), {});
+        if (begins_to_move) expect_same_centres(solution, with_find(from_text(file.at_speed()), true), {});
         const Similarity by{pythagorean, true, 1, at("3", "-4")};
-        if (solution.pose.exact) expect_same_centres(solution, with_find(moved(by, mechanism), true), by, false);
+        if (solution.pose.exact) expect_same_centres(solution, with_find(moved(by, mechanism), true), by);
         const bool moves = solution.mobility.effective > 0;
         const auto as_one = std::count_if(solution.centres.begin(), solution.centres.end(),
                                           [](const InstantCentre& each) { return each.everywhere; });
@@ -452,6 +464,28 @@ TEST(Centres, OfATriangleAreEverywhereAndItIsSaid) {
     ASSERT_EQ(solution.remarks.size(), 1U);
     EXPECT_EQ(solution.remarks.front().sentence, lang::sentences::nothing_moves);
     EXPECT_TRUE(solution.unsolved.empty());
+}
+
+/// At rest the accelerations are as the velocities will be; the centre is found whatever else is asked.
+TEST(Centres, OfFreedomsThatBeginToMoveAreThoseOfTheirAccelerations) {
+    const auto with = [](const std::string& rates, bool all) {
+        return centres_of(with_find(from_text(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [-1, 2], "C": [1.5, 4],
+            "B": [4, 2], "Q": [3, 0]}, "bodies": {"2": ["O", "A"], "3": ["A", "C"], "4": ["C", "B"], "5": ["Q", "B"]},
+            "frame": 1, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "C", "bodies": [3, 4]}, {"revolute": "B", "bodies": [4, 5]},
+            {"revolute": "Q", "bodies": [1, 5]}], "drivers": [)" +
+                                              rates + "]}"),
+                                    all));
+    };
+    const auto moving = with(R"({"body": 2, "omega": 1}, {"body": 5, "omega": 2})", true);
+    for (const bool all : {false, true}) {
+        const auto resting = with(R"({"body": 2, "omega": 0, "alpha": 1}, {"body": 5, "omega": 0, "alpha": 2})", all);
+        for (const auto& [names, centre] : moving) {
+            ASSERT_TRUE(centre.at && resting.at(names).at) << names.first << names.second;
+            EXPECT_EQ(resting.at(names).at->place(), centre.at->place()) << names.first << names.second;
+        }
+        EXPECT_EQ(resting.at({"1", "3"}).how, InstantCentre::How::accelerations);
+    }
 }
 
 /// Kennedy's line over a slider in its dead centre is that of the neighbouring positions; the pair rests in passing.

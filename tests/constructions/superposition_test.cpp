@@ -74,7 +74,7 @@ TEST(Engine, NeedsNoSuperposition) {
     const Solution& solution = example("engine_inertia_gas");
     EXPECT_FALSE(solution.superposition);
     EXPECT_FALSE(says(solution, lang::sentences::superposition));
-    EXPECT_FALSE(says(solution, lang::sentences::trial));
+    EXPECT_FALSE(says(solution, lang::sentences::moments_give));
     EXPECT_TRUE(says(solution, lang::sentences::through_pin));
     ASSERT_EQ(solution.taken_together.size(), 1U);
     const TakenTogether& together = solution.taken_together.front();

@@ -216,7 +216,7 @@ TEST(ParallelToAll, AGerberBeamOfThreeSpansNeedsNoSuperposition) {
                 {"force": "P_3", "body": 4, "at": "R", "value": [0, -30]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_FALSE(solution.superposition);
-    EXPECT_FALSE(says(solution, lang::sentences::trial));
+    EXPECT_FALSE(says(solution, lang::sentences::moments_give));
     // Half of P_2 at either hinge: B = (40 · 3 + 12 · 8)/6, C = (30 · 3 + 12 · 8)/6.
     EXPECT_EQ(reaction_at(solution, "A"), (Vector{0, 16}));
     EXPECT_EQ(reaction_at(solution, "B"), (Vector{0, 36}));

@@ -389,7 +389,7 @@ TEST(TheWholeFirst, AFrameOnPinAndRollerIsCutFreeAsOneBeforeItsBodies) {
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]}]})");
     EXPECT_FALSE(solution.truss);
     EXPECT_TRUE(says(solution, lang::sentences::structure_whole));
-    EXPECT_FALSE(says(solution, lang::sentences::trial));
+    EXPECT_FALSE(says(solution, lang::sentences::moments_give));
     // B = 800 · 0.5/4 = 100 N; the tie holds 100 · 2/2.
     for (const JointForce& action : solution.forces) {
         ASSERT_TRUE(action.force);

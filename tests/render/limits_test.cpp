@@ -39,6 +39,30 @@ TEST(SheetLimits, RefuseHundredsOfPages) {
     EXPECT_NE(beyond->in(Language::en).find("\"find\""), std::string::npos) << beyond->in(Language::en);
 }
 
+/// A four-bar with points on its coupler, each seen from the crank.
+Solution seen_from_the_crank(int points) {
+    Json file = Json::parse(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 2], "B": [5, 3], "Q": [6, 0]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
+        "joints": [{"revolute": "O", "bodies": ["0", "2"]}, {"revolute": "A", "bodies": ["2", "3"]},
+                   {"revolute": "B", "bodies": ["3", "4"]}, {"revolute": "Q", "bodies": ["0", "4"]}],
+        "drivers": [{"body": "2", "omega": 1}], "find": ["velocity", "acceleration"]})");
+    for (int i = 0; i < points; ++i) {
+        const std::string name = "p" + std::to_string(i);
+        file["points"][name] = {1 + i % 5, 2 + i};
+        file["bodies"]["3"].push_back(name);
+        file["find"].push_back({{"relative motion", name}, {"observer", "2"}});
+    }
+    return solved(file.dump());
+}
+
+// Three plans of dozens of polygons took 5 s; what is compared is counted, not timed.
+TEST(SheetLimits, DozensOfPolygonsAreNotPlannedThreeTimes) {
+    EXPECT_TRUE(render::is_planned_twice(seen_from_the_crank(2)));
+    const Solution many = seen_from_the_crank(33);
+    EXPECT_FALSE(render::beyond_sheet(many));
+    EXPECT_FALSE(render::is_planned_twice(many));
+}
+
 TEST(LiveLimits, AMechanismOfManyDriversStandsStill) {
     EXPECT_TRUE(moving_of(chain(3)));
     EXPECT_FALSE(moving_of(chain(13)));

@@ -22,6 +22,13 @@ Run EveryEquilibrium::in_every_equilibrium(const std::vector<Load>& loads, Run r
     return run;
 }
 
+Run EveryEquilibrium::one_by_one(const std::vector<Load>& loads, Run run) {
+    is_only_ = true;
+    while (!run.complete && settle_shortest(loads, run)) rules_.advance(loads, run);
+    is_only_ = false;
+    return run;
+}
+
 Equilibria EveryEquilibrium::equilibria(const Group& group, const std::vector<Load>& loads, const Run& run) {
     return {model_, board_,  run,
             group,  origin_, [&](MemberIndex member) { return model_.gap(member, loads, run, origin_); }};
@@ -55,6 +62,71 @@ bool EveryEquilibrium::settle_alike(const std::vector<Load>& loads, Run& run) {
         }
     }
     return false;
+}
+
+bool EveryEquilibrium::settle_shortest(const std::vector<Load>& loads, Run& run) {
+    // Of more bodies nobody would follow the motions; their equations are solved together.
+    constexpr std::size_t most = 8;
+    for (const Group& group : groups_in_question(model_, run)) {
+        if (group.size() > most) continue;
+        const Board::Mark start = board_.mark();
+        Equilibria all = equilibria(group, loads, run);
+        std::optional<std::pair<int, std::optional<DirectionHandle>>> best;
+        std::size_t least = 0;
+        for (const int b : all.exist() ? in_question(group, run) : std::vector<int>{}) {
+            if (!all.of(b).all) continue;
+            for (const auto& way : ways_of(b, group, run)) {
+                const std::size_t price = price_of(taken_apart(b, way, all), all);
+                if (best && price >= least) continue;
+                best.emplace(b, way);
+                least = price;
+            }
+        }
+        if (best) {
+            settle_by_work(best->first, taken_apart(best->first, best->second, all), all, run);
+            return true;
+        }
+        board_.rewind(start);
+    }
+    return false;
+}
+
+std::vector<std::optional<DirectionHandle>> EveryEquilibrium::ways_of(int b, const Group& group, const Run& run) {
+    const auto is_hinge = [&](int bond) {
+        return model_.bonds()[at(bond)].kind == Bond::Kind::pin && !run.reactions[at(bond)].action;
+    };
+    std::vector<std::optional<DirectionHandle>> ways{std::nullopt};
+    if (!is_hinge(b)) return ways;
+    const PlaceOnDrawing place = model_.bonds()[at(b)].place;
+    std::vector<PlaceOnDrawing> others;
+    std::vector<int> beside;
+    for (const MemberIndex member : {model_.bonds()[at(b)].first, model_.bonds()[at(b)].second})
+        if (in(group, member))
+            beside.insert(beside.end(), model_.bonds_of(member).begin(), model_.bonds_of(member).end());
+    for (const int other : beside) {
+        if (run.reactions[at(other)].known) continue;
+        const PlaceOnDrawing there = model_.bonds()[at(other)].place;
+        const auto is_there = [&](PlaceOnDrawing each) { return board_.coincide(each, there); };
+        if (!is_hinge(other) || is_there(place) || std::any_of(others.begin(), others.end(), is_there)) continue;
+        others.push_back(there);
+        ways.emplace_back(board_.perpendicular(board_.direction(board_.vector(place, there))));
+    }
+    return ways;
+}
+
+Equilibria::Alike EveryEquilibrium::taken_apart(int b, const std::optional<DirectionHandle>& way, Equilibria& all) {
+    return way ? all.of(b, *way) : all.of(b);
+}
+
+std::size_t EveryEquilibrium::price_of(const Equilibria::Alike& alike, Equilibria& all) const {
+    constexpr std::size_t of_moving_apart = 24;
+    std::size_t price = 0;
+    const auto add = [&](const Equilibria::Motion& motion) {
+        price += motion.members.size() + (all.moves_as_one(motion) ? 0 : of_moving_apart);
+    };
+    for (const Equilibria::Component& each : alike.components) add(each.motion);
+    if (alike.couple) add(alike.couple->motion);
+    return price;
 }
 
 void EveryEquilibrium::by_elimination(const Group& group, Equilibria& all, Run& run) {
@@ -107,10 +179,17 @@ std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::
     for (const Equilibria::Component& each : alike.components) {
         // That a force has no component across the line of its body is said with the line.
         if (each.vanishes && apart && run.reactions[at(b)].deduced) continue;
-        Symbol symbol = said_.symbol_on(b, cut_at(b));
-        if (apart) symbol = component_symbol(symbol, each.direction);
+        const bool is_second = &each != &alike.components.front();
+        Symbol symbol = said_.symbol_on(b, acting_on(b, each.motion));
+        if (apart) symbol.term += (symbol.term.empty() ? "" : ",") + axis_of(alike, is_second);
         say_work(b, std::move(symbol), each.direction, each.motion, all, run);
-        if (!each.vanishes && all.follows_motions()) run.released.back().force = each.force;
+        if (all.follows_motions()) {
+            Released& released = run.released.back();
+            if (is_second && force)  // its other part is known by then
+                for (const MemberIndex member : {model_.bonds()[at(b)].first, model_.bonds()[at(b)].second})
+                    released.known.push_back({member, *force, model_.bonds()[at(b)].place});
+            if (!each.vanishes) released.force = each.force;
+        }
         if (!each.vanishes) force = force ? board_.add(*force, each.force) : each.force;
     }
     return force;
@@ -127,6 +206,22 @@ std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibri
     if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
         run.released.back().couple = board_.opposite(*alike.couple->couple);  // with the sign of the symbol
     return alike.couple->couple;
+}
+
+/// The side of a bond on which its force acts in a motion: where the bodies move.
+Group EveryEquilibrium::acting_on(int b, const Equilibria::Motion& motion) const {
+    const Group cut = cut_at(b);
+    if (motion.members.contains(cut.front())) return cut;
+    const Bond& bond = model_.bonds()[at(b)];
+    for (const MemberIndex member : {bond.first, bond.second})
+        if (motion.members.contains(member)) return {member};
+    return cut;
+}
+
+/// Of oblique components the first is n, the second t.
+std::string EveryEquilibrium::axis_of(const Equilibria::Alike& alike, bool is_second) {
+    const auto [first, second] = axes(alike.components.front().direction);
+    return is_second ? second : first;
 }
 
 std::pair<std::string, std::string> EveryEquilibrium::axes(DirectionHandle along) {
@@ -158,10 +253,10 @@ void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilib
 
 void EveryEquilibrium::say_translation(const Group& moved, const Symbol& symbol, std::optional<DirectionHandle> along,
                                        DirectionHandle way) {
-    if (along && board_.parallel(*along, way)) return said_.say_of(moved, lang::sentences::components_alone, {symbol});
+    if (along && board_.parallel(*along, way)) return said_.say_of(moved, told().components, {symbol});
     std::vector<Argument> arguments{symbol};
     if (const auto reason = said_.guide_along(moved, way)) arguments.emplace_back(*reason);
-    said_.say_of(moved, lang::sentences::translation_alone, std::move(arguments));
+    said_.say_of(moved, told().translation, std::move(arguments));
 }
 
 void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along,
@@ -189,16 +284,34 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
         centres.resize(std::min<std::size_t>(centres.size(), 1));
     const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;
     if (as_one && !centres.empty()) {
-        said_.say_of(moved, lang::sentences::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
+        said_.say_of(moved, told().moments, {PointName{centres.front()}, symbol}, "Ritter");
     } else if (as_one) {
         say_translation(moved, symbol, along, all.direction(motion.members.begin()->second));
     } else {
-        said_.say(lang::sentences::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
+        said_.say(told().virtual_work, {symbol, turning, centres, translating}, "", moved);
     }
     released.statement = said_.last();
+    released.known = known_on(moved, run);
     if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)
         run.reactions[at(b)].line_statement = said_.last();
     run.released.push_back(std::move(released));
+}
+
+const EveryEquilibrium::Told& EveryEquilibrium::told() const {
+    using namespace lang::sentences;
+    static constexpr Told shared{moments_alone, components_alone, translation_alone, virtual_work_alone},
+        only{moments_give, components_give, translation_gives, virtual_work_gives};
+    return is_only_ ? only : shared;
+}
+
+std::vector<Released::Known> EveryEquilibrium::known_on(const Group& moved, const Run& run) const {
+    std::vector<Released::Known> known;
+    for (const MemberIndex member : moved)
+        for (const int b : model_.bonds_of(member)) {
+            const Reaction& reaction = run.reactions[at(b)];
+            if (reaction.known && reaction.force) known.push_back({member, *reaction.force, known_.place_of(b, run)});
+        }
+    return known;
 }
 
 }  // namespace kinegraph::statics

@@ -10,7 +10,7 @@ std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vecto
                                                   const Action& line, PlaceOnDrawing place) {
     const bool several = group.size() > 1;
     const std::size_t most = several ? 12 : 6;
-    const bool drawn = !said_.in_trial() && (several || !model_.is_pin(group.front()));
+    const bool drawn = (several || !model_.is_pin(group.front()));
     if (!drawn || actors.empty() || actors.size() > most) return std::nullopt;
     if (!std::all_of(actors.begin(), actors.end(), [](const Actor& actor) { return actor.force.has_value(); }))
         return std::nullopt;

@@ -16,7 +16,7 @@ public:
         : model_(model), board_(board), known_(known), said_(said) {}
 
     /// Strings for forces along a line and at a place off it that balance known ones. None if the drawing would be
-    /// unreadable (in a trial, for a pin, for a couple, for very many forces, too deep for the sheet) or a string does
+    /// unreadable (for a pin, for a couple, for very many forces, too deep for the sheet) or a string does
     /// not meet its line.
     std::optional<Strings> strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
                                    PlaceOnDrawing place);

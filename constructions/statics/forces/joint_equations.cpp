@@ -31,7 +31,7 @@ JointEquations::System JointEquations::system(const std::vector<Load>& loads, co
         const bool open = std::any_of(bonds.begin(), bonds.end(), [&](int b) { return !run.reactions[at(b)].known; });
         if (open && !add_link(member, loads, run, taken, all)) others.push_back(member);
     }
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b)
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b)
         if (!run.reactions[b].known && taken.count(static_cast<int>(b)) == 0) add_unknowns(static_cast<int>(b), all);
     for (const MemberIndex member : others) add_equations(member, loads, run, all);
     return all;

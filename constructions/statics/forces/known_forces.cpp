@@ -6,29 +6,14 @@ namespace kinegraph::statics {
 
 Run KnownForces::fresh() const {
     Run run;
-    run.reactions.resize(model_.joint_bonds());
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+    run.reactions.resize(model_.bonds().size());
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
         if (model_.bonds()[b].kind == Bond::Kind::line)
             run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
         run.reactions[b].known =
             adrift_.count(model_.bonds()[b].first) > 0 || adrift_.count(model_.bonds()[b].second) > 0;
     }
-    fit(run);
     return run;
-}
-
-void KnownForces::fit(Run& run) const {
-    for (std::size_t b = run.reactions.size(); b < model_.bonds().size(); b += 2) {
-        Reaction& hinge = run.reactions[at(model_.bonds()[b].part_of)];
-        Reaction parts[2];
-        for (std::size_t i = 0; i < 2; ++i) {
-            parts[i].known = hinge.known;
-            if (!hinge.known)
-                parts[i].action = model_.action(model_.bonds()[b + i].place, model_.bonds()[b + i].direction);
-        }
-        hinge.known = true;
-        for (Reaction& part : parts) run.reactions.push_back(part);
-    }
 }
 
 Bond::Kind KnownForces::shape(int b, const Run& run) const {

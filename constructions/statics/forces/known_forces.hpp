@@ -24,8 +24,6 @@ public:
 
     const std::vector<Group>& wholes() const { return wholes_; }
     Run fresh() const;
-    /// Extends a run by components added since it began; they are unknown if their hinge is.
-    void fit(Run& run) const;
     /// The form of what is unknown of a bond: that of its kind, a line once its line is known.
     Bond::Kind shape(int b, const Run& run) const;
     std::vector<int> unknown_of(const Group& group, const Run& run) const;

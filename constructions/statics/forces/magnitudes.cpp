@@ -31,7 +31,7 @@ bool Magnitudes::magnitudes(const Group& group, const std::vector<Load>& loads, 
         done = three_lines(group, fixed, known, loads, run);
     }
     if (done) known_.note(group, run);
-    if (done && group.size() > 1 && !said_.in_trial()) run.balanced.push_back({group, unknown, said_.last()});
+    if (done && group.size() > 1) run.balanced.push_back({group, unknown, said_.last()});
     return done;
 }
 

@@ -56,7 +56,7 @@ std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<L
 
 void Resultants::say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
     const std::size_t most = known_.is_whole(group) ? 12 : 6;
-    if (said_.in_trial() || !known.force) return;
+    if (!known.force) return;
     const std::vector<Actor> actors = actors_on(group, loads, run);
     if (actors.size() < 2 || actors.size() > most) return;
     Added added{group, {}, *known.force, known.place, {}, none};
@@ -88,14 +88,14 @@ Symbol Resultants::symbol_of_known(const Group& group, const std::vector<Load>& 
 
 std::optional<PlaceOnDrawing> Resultants::meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
                                                             const std::vector<Load>& loads, Run& run) {
-    if (said_.in_trial() || !known.force || actors_on(group, loads, run).size() < 2) return std::nullopt;
+    if (!known.force || actors_on(group, loads, run).size() < 2) return std::nullopt;
     say_resultant(group, known, loads, run);
     return board_.meet(model_.line_of(known), line.line);
 }
 
 void Resultants::note_culmann(const Group& group, int one, const std::string& names, Force force, PlaceOnDrawing met,
                               const std::vector<Load>& loads, Run& run) {
-    if (said_.in_trial() || board_.is_zero(force)) return;
+    if (board_.is_zero(force)) return;
     Added added{group, said_.with_mark({Symbol::Letter::F, names, {}}), force, met, {one}, said_.last()};
     for (const Actor& actor : actors_on(group, loads, run))
         if (actor.bond >= 0) added.bonds.push_back(actor.bond);
@@ -103,12 +103,12 @@ void Resultants::note_culmann(const Group& group, int one, const std::string& na
 }
 
 void Resultants::note_lever(const Group& group, PlaceOnDrawing about, Force force, PlaceOnDrawing place, Run& run) {
-    if (said_.in_trial() || group.size() > 1 || model_.is_pin(group.front())) return;
+    if (group.size() > 1 || model_.is_pin(group.front())) return;
     run.levers.push_back({group.front(), about, force, place, said_.last(), false});
 }
 
 void Resultants::note_couple_of_two(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
-    if (!known.couple || said_.in_trial()) return;
+    if (!known.couple) return;
     const std::vector<Actor> actors = actors_on(group, loads, run);
     if (actors.size() == 2 && actors[0].force && actors[1].force)
         note_lever(group, actors[0].place, *actors[1].force, actors[1].place, run);

@@ -7,11 +7,9 @@
 namespace kinegraph::statics {
 
 void Rules::advance(const std::vector<Load>& loads, Run& run) {
-    known_.fit(run);
     std::vector<Group> all;
     // A rule that does not apply records nothing.
     const auto leads_on = [&](auto rule) {
-        if (said_.in_trial() && attempts_left_-- <= 0) return false;
         const Board::Mark before = board_.mark();
         const bool applied = rule();
         if (!applied) board_.rewind(before);

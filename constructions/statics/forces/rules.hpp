@@ -33,7 +33,6 @@ private:
     ForceSentences& said_;
     LinesOfAction lines_;
     Magnitudes magnitudes_;
-    long attempts_left_ = 500'000;  ///< limit on rules tried in trials: a system so large is not solved graphically
 };
 
 }  // namespace kinegraph::statics

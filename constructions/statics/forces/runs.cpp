@@ -10,12 +10,7 @@
 namespace kinegraph::statics {
 
 Run Runs::run() {
-    Run result = solve(model_.loads());
-    sums_.gather_components(result);
-    return result;
-}
-
-Run Runs::solve(const std::vector<Load>& loads) {
+    const std::vector<Load>& loads = model_.loads();
     Run direct = known_.fresh();
     rules_.advance(loads, direct);
     if (direct.complete) return direct;
@@ -23,12 +18,13 @@ Run Runs::solve(const std::vector<Load>& loads) {
         return alike_.in_every_equilibrium(loads, jointly_where_large(loads, std::move(direct)));
     const Board::Mark before = board_.mark();
     const ForceSentences::Mark said = said_.mark();
-    if (auto sum = in_parts(loads, direct)) return *std::move(sum);
+    if (auto sum = in_parts(loads)) return *std::move(sum);
     // What was tried in vain is not part of the solution.
-    model_.drop_components();
     said_.rewind(said);
     board_.rewind(before);
-    if (determinacy_ == Determinacy::unbalanced) return direct;  // the equations contradict each other
+    direct = alike_.one_by_one(loads, std::move(direct));
+    // Unless it is complete by now, the equations contradict each other.
+    if (determinacy_ == Determinacy::unbalanced) return direct;
     direct = jointly(loads, std::move(direct));
     return direct.complete ? direct : alike_.in_every_equilibrium(loads, std::move(direct));
 }
@@ -45,24 +41,14 @@ Run Runs::jointly_where_large(const std::vector<Load>& loads, Run run) {
     return large ? jointly(loads, std::move(run)) : run;
 }
 
-/// The run of one member's loads, or of all: by the rules, else with one trial value.
-void Runs::close(const std::vector<Load>& loads, Run& run) {
-    if (!run.complete) trials_.close_by_trial(loads, run);
-}
-
-std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& direct) {
+std::optional<Run> Runs::in_parts(const std::vector<Load>& loads) {
     // More loaded bodies are not taken one after the other: the joint equations are shorter.
     constexpr std::size_t most_parts = 8;
     Group loaded;
     for (const Load& load : loads) {
         if (!in(loaded, load.member)) loaded.push_back(load.member);
     }
-    if (loaded.size() > most_parts) return std::nullopt;
-    if (loaded.size() < 2) {
-        Run run = direct;
-        close(loads, run);
-        return run.complete ? std::optional(std::move(run)) : std::nullopt;
-    }
+    if (loaded.size() < 2 || loaded.size() > most_parts) return std::nullopt;
     std::vector<PartRun> parts;
     for (const MemberIndex member : loaded) {
         std::vector<Load> own;
@@ -74,7 +60,6 @@ std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& dir
                   {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);
-        close(own, part.run);
         said_.set_mark({});
         if (!part.run.complete) return std::nullopt;
         if (!parts.empty()) parts.back().end = part.first;

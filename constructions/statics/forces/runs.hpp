@@ -1,6 +1,6 @@
 // How the forces of a mechanism are found: all loads together by the rules. If this does not give all forces: load by
-// load, or by a trial value, or by the joint equations of several bodies; and what remains open, by the values that
-// every equilibrium has in common.
+// load, or one force after the other by moments, components or virtual work, or in a large structure by the joint
+// equations of several bodies; and what remains open, by the values that every equilibrium has in common.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 #include "constructions/statics/forces/every_equilibrium.hpp"
 #include "constructions/statics/forces/hanging_groups.hpp"
 #include "constructions/statics/forces/joint_equations.hpp"
-#include "constructions/statics/forces/trials.hpp"
+#include "constructions/statics/forces/sums.hpp"
 
 namespace kinegraph::statics {
 
@@ -32,10 +32,9 @@ public:
           known_(model, std::move(adrift), mechanism.efforts.empty() ? hung_on_frame(model) : std::vector<Group>{}),
           said_(model, board, mechanism, known_),
           rules_(model, board, known_, said_),
-          sums_(model, board, known_, said_),
+          sums_(board, known_, said_),
           alike_(model, board, known_, said_, rules_, board.place(PointIndex(0))),
-          joint_(model, board, known_, said_),
-          trials_(model, board, known_, said_, rules_, board.place(PointIndex(0))) {}
+          joint_(model, board, known_, said_) {}
     Runs(const Runs&) = delete;
     Runs& operator=(const Runs&) = delete;
 
@@ -48,14 +47,12 @@ public:
     Run run();
 
 private:
-    Run solve(const std::vector<Load>& loads);
     /// Joint equilibrium equations and rules in turn.
     Run jointly(const std::vector<Load>& loads, Run run);
     /// In an indeterminate structure: where groups are too large for virtual motions.
     Run jointly_where_large(const std::vector<Load>& loads, Run run);
-    void close(const std::vector<Load>& loads, Run& run);
     /// Load by load; none if this does not give all forces.
-    std::optional<Run> in_parts(const std::vector<Load>& loads, const Run& direct);
+    std::optional<Run> in_parts(const std::vector<Load>& loads);
 
     ForceModel& model_;
     Board& board_;
@@ -66,7 +63,6 @@ private:
     Sums sums_;
     EveryEquilibrium alike_;
     JointEquations joint_;
-    Trials trials_;
 };
 
 }  // namespace kinegraph::statics

@@ -17,15 +17,13 @@ void ForceSentences::rewind(const Mark& mark) {
 }
 
 void ForceSentences::say(Key sentence, std::vector<Argument> arguments, const char* source, const Group& group) {
-    if (!in_trial()) {  // operations of a trial belong to the sentence that opens it
-        Statement statement;
-        statement.message = {sentence, std::move(arguments)};
-        statement.section = Topic::forces;
-        statement.source = source;
-        for (const MemberIndex member : group)
-            if (!model_.is_pin(member)) statement.bodies.push_back(model_.body_of(member));
-        statement_ = board_.state(std::move(statement));
-    }
+    Statement statement;
+    statement.message = {sentence, std::move(arguments)};
+    statement.section = Topic::forces;
+    statement.source = source;
+    for (const MemberIndex member : group)
+        if (!model_.is_pin(member)) statement.bodies.push_back(model_.body_of(member));
+    statement_ = board_.state(std::move(statement));
     remember_meets();
 }
 

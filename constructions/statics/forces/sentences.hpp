@@ -1,5 +1,5 @@
 // Writes the sentences of a solution of forces: names of bodies, symbols of forces, letters of the points where their
-// lines meet. In a trial nothing is written.
+// lines meet.
 #pragma once
 
 #include <cstddef>
@@ -38,11 +38,6 @@ public:
     }
     Symbol with_mark(Symbol symbol) const { return marked(std::move(symbol), mark_); }
 
-    /// Operations of a trial belong to the sentence that opens it; trials nest.
-    void enter_trial() { ++trials_; }
-    void leave_trial() { --trials_; }
-    bool in_trial() const { return trials_ > 0; }
-
     /// To rewind an attempt together with the board.
     struct Mark {
         StatementIndex statement = none;
@@ -80,7 +75,6 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     const KnownForces& known_;
-    int trials_ = 0;  ///< number of nested trials
     bool of_truss_ = false;
     std::map<MemberIndex, std::string> bar_names_;
     std::string mark_;

@@ -12,7 +12,7 @@ void Settling::found(int b, const Group& group, Run& run) {
     Reaction& reaction = run.reactions[at(b)];
     reaction.known = true;
     reaction.force_statement = said_.last();
-    if (!said_.in_trial()) board_.statement(said_.last()).finds.push_back(said_.quantity_on(b, group));
+    board_.statement(said_.last()).finds.push_back(said_.quantity_on(b, group));
 }
 
 void Settling::settle_line(int b, const Action& found, Run& run) {

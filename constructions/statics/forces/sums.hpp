@@ -1,8 +1,6 @@
-// Sums of runs, bond by bond: of loads that acted alone, of trials in their proportion, of the components of a hinge.
-// All is linear.
+// The sum of the runs of loads that acted alone, bond by bond: all is linear.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "constructions/statics/forces/sentences.hpp"
@@ -11,22 +9,16 @@ namespace kinegraph::statics {
 
 class Sums {
 public:
-    Sums(ForceModel& model, Board& board, const KnownForces& known, const ForceSentences& said)
-        : model_(model), board_(board), known_(known), said_(said) {}
+    Sums(Board& board, const KnownForces& known, const ForceSentences& said)
+        : board_(board), known_(known), said_(said) {}
 
     Run add_up(std::vector<PartRun> parts);
-    /// a + s·b for each bond, from two shares.
-    Run combine(Run a, ScalarHandle share_a, Run b, ScalarHandle share_b);
-    /// Adds the components of a hinge, used in a trial, to its force.
-    void gather_components(Run& run);
 
 private:
     /// Marks that the last sentence gives all at once.
     void found_in_parts(Run& run) const;
-    void add_to(Run& total, const Run& b, std::optional<ScalarHandle> factor);
-    void gather(Run& run);
+    void add_to(Run& total, const Run& b);
 
-    ForceModel& model_;
     Board& board_;
     const KnownForces& known_;
     const ForceSentences& said_;

@@ -80,6 +80,8 @@ void FoundValues::take_moments(const Released& released, const Released::Turning
     };
     for (const Load& load : model_.loads())
         if (load.member == turning.member && load.force) add(*load.force, load.place, false);
+    for (const Released::Known& known : released.known)
+        if (known.member == turning.member) add(known.force, known.place, false);
     const Bond& bond = model_.bonds()[at(released.bond)];
     const bool bears = bond.first == turning.member || bond.second == turning.member;
     if (bears && released.along && released.force)

@@ -15,7 +15,7 @@ std::optional<Superposition> Superposing::superpose(const Run& run) {
         if (!cut) return std::nullopt;
         found.parts.push_back(*std::move(cut));
     }
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b) sum_parts(b, run, found);
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b) sum_parts(b, run, found);
     for (const MemberIndex member : model_.moving_members()) join_parts(member, run, found);
     return found;
 }

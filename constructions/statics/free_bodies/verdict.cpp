@@ -31,7 +31,7 @@ std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
 }
 
 bool Verdict::is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const {
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b)
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b)
         if (!run.reactions[b].known && unbalanced.count(model_.bonds()[b].first) == 0) return false;
     return true;
 }
@@ -47,7 +47,7 @@ void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
 }
 
 void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
-    for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
         const JointIndex joint = model_.bonds()[b].joint;
         if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
             results.remarks.push_back({lang::sentences::lift_off, {file_name(mechanism_.joints[at(joint)])}});
@@ -75,7 +75,7 @@ Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool r
 
 bool Verdict::moves_freely() {
     Run nothing_known;
-    nothing_known.reactions.resize(model_.joint_bonds());
+    nothing_known.reactions.resize(model_.bonds().size());
     const Board::Mark before = board_.mark();
     const ScalarHandle zero = board_.number(0);
     bool moves = false;

@@ -24,7 +24,7 @@ void KnownTruss::take_supports(const Run& whole) {
     const auto take = [&](int pin, const std::vector<JointIndex>& joints) {
         Support support;
         support.pin = pin;
-        for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
             const Bond& bond = model_.bonds()[b];
             if (is_on_frame(bond) && std::find(joints.begin(), joints.end(), bond.joint) != joints.end())
                 support.bonds.push_back(static_cast<int>(b));

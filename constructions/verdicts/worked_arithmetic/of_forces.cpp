@@ -1,6 +1,7 @@
 #include "constructions/verdicts/worked_arithmetic/of_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -122,9 +123,11 @@ void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
 }
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {
+    using namespace lang::sentences;
+    static constexpr std::array by_work{moments_alone,     moments_give,      components_alone,   components_give,
+                                        translation_alone, translation_gives, virtual_work_alone, virtual_work_gives};
     const Key said = telling_.message(statement).sentence;
-    return said == lang::sentences::moments_alone || said == lang::sentences::components_alone ||
-           said == lang::sentences::translation_alone || said == lang::sentences::virtual_work_alone;
+    return std::find(by_work.begin(), by_work.end(), said) != by_work.end();
 }
 
 /// If the factors' units give another unit than the result's, adds the conversion factor: 1000 for kN, 386.1 for pounds
@@ -325,7 +328,8 @@ void OfForces::superposed(const Superposition& superposition) {
 void OfForces::by_moments(const VirtualMotion& motion) {
     const double force = length(*motion.force);
     std::optional<double> arm;
-    if (telling_.message(motion.statement).sentence == lang::sentences::moments_alone)
+    const Key sentence = telling_.message(motion.statement).sentence;
+    if (sentence == lang::sentences::moments_alone || sentence == lang::sentences::moments_give)
         for (const FreeBody& body : solution_.free_bodies)
             for (const FreeBody::Arm& each : body.arms)
                 if (each.statement == motion.statement && each.is_sought) arm = distance(each.about, each.foot);
@@ -340,7 +344,8 @@ void OfForces::by_virtual_work(const VirtualMotion& motion) {
         telling_.tell(motion.statement, motion.sought, {}, std::nullopt, in(motion.couple->to_double(), units_.moment),
                       units_.moment);
     if (motion.force) by_moments(motion);
-    if (said.sentence != lang::sentences::virtual_work_alone) return;
+    if (said.sentence != lang::sentences::virtual_work_alone && said.sentence != lang::sentences::virtual_work_gives)
+        return;
     const VirtualMotion::Turning* first = nullptr;
     const bool one_centre = std::get<Names>(said.arguments[2]).size() == 1;
     Ratios ratios;
