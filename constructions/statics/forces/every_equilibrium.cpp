@@ -291,7 +291,7 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
         said_.say(told().virtual_work, {symbol, turning, centres, translating}, "", moved);
     }
     released.statement = said_.last();
-    released.known = known_on(moved, run);
+    if (is_only_) released.known = known_on(moved, run);
     if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)
         run.reactions[at(b)].line_statement = said_.last();
     run.released.push_back(std::move(released));
