@@ -327,6 +327,18 @@ void add_branch(CLI::App& command, int& branch) {
         ->type_name("N");
 }
 
+void add_positions(CLI::App& command, PositionsWanted& positions) {
+    command
+        .add_option(
+            "--at", positions.at,
+            "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
+            "may be given again, a sheet each; every 30° for a whole turn")
+        ->allow_extra_args(false)
+        ->type_name("TURN");
+    add_driver(command, positions.driver);
+    add_branch(command, positions.branch);
+}
+
 void add_solve(CLI::App& program, Action& action) {
     CLI::App* command =
         add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
@@ -337,15 +349,7 @@ void add_solve(CLI::App& program, Action& action) {
     add_sheet(*command, *words);
     add_lecture(*command, *words);
     add_look(*command, words->request);
-    command
-        ->add_option(
-            "--at", words->request.positions.at,
-            "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
-            "may be given again, a sheet each; every 30° for a whole turn")
-        ->allow_extra_args(false)
-        ->type_name("TURN");
-    add_driver(*command, words->request.positions.driver);
-    add_branch(*command, words->request.positions.branch);
+    add_positions(*command, words->request.positions);
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
@@ -368,6 +372,7 @@ void add_batch(CLI::App& program, Action& action) {
     add_paper(*command, *words);
     add_sheet(*command, *words);
     add_look(*command, words->request);
+    add_positions(*command, words->request.positions);
     command->callback([&action, request, words] {
         request->defaults = words->meant();
         action = [request] { return batch_command(*request); };

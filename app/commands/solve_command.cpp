@@ -68,6 +68,10 @@ Words meaningless(const SolveRequest& request) {
     if (drawing.slides && !drawing.steps)
         return {lang::command_line::slides_show_the_steps, std::string(request.beamer ? "--beamer" : "--slides")};
     if (drawing.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
+    if (drawing.steps && !drawing.figure.empty()) return both("--steps", "--figure");
+    if (drawing.slides && drawing.paper != DrawingOptions::Paper::a4) return both("--slides", "--paper");
+    if (drawing.slides && drawing.orientation != DrawingOptions::Orientation::landscape)
+        return both("--slides", "--orientation");
     if (!solution && wants(request, "joukowsky")) return both("--with joukowsky", kind);
     if (!solution && wants(request, "equations")) return both("--with equations", kind);
     if (!solution && wants(request, "virtual work")) return both("--with \"virtual work\"", kind);

@@ -310,7 +310,24 @@ private:
             outputs.push_back({path("qti.zip"), *std::move(package)});
         }
         if (wants("csv")) outputs.push_back({path("answers.csv"), bank_.csv()});
-        return put(outputs);
+        return put_key(std::move(outputs));
+    }
+    /// Removes what only an earlier run writes beside its key: its questions and answers are those of other variants.
+    std::optional<Status> put_key(std::vector<Output> outputs) {
+        const CacheRecord cache_record(path("key"), "");
+        const std::vector<std::string> before = cache_record.files_of("");
+        std::vector<std::string> paths;
+        for (const Output& each : outputs) paths.push_back(each.path);
+        if (const auto failure = cache_record.make_room()) return not_put(*failure);
+        outputs.push_back(cache_record.of(outputs, "{\"files\": " + json_quoted(paths) + "}"));
+        if (const auto status = put(outputs)) return status;
+        for (const std::string& each : before)
+            if (std::none_of(paths.begin(), paths.end(),
+                             [&](const std::string& now) { return same_file(now, each); })) {
+                take_away(each);
+                line({lang::command_line::files_of_an_earlier_run, std::filesystem::path(each).filename().string()});
+            }
+        return std::nullopt;
     }
 
     static Words variants(std::size_t count) {

@@ -445,6 +445,7 @@ Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
         const Problem& problem = *solution.mechanism.problem;
         auto found = problem.kind->solve(problem, solution.mechanism, solution.pose);
         if (!found) return tl::unexpected(std::move(found.error()));
+        for (Words& each : remarks_on_check(found->values)) found->remarks.push_back(std::move(each));
         solution.problem = std::make_shared<const ProblemSolution>(*std::move(found));
         return solution;
     }

@@ -72,8 +72,9 @@ void LawReader::read_piece(JsonValue value, const Form& piece_form, Law& law) {
         if (form[rise]) fault(form[rise], {lang::laws::in_a_rest_nothing_moves_leave});
     } else {
         required(form, rise, {lang::laws::how_far_it_goes});
-        piece.rise = form.quantity_or_default(rise);
-        if (known && form[rise] && piece.rise.is_zero())
+        const std::optional<Exact> goes = form.quantity(rise);
+        piece.rise = goes.value_or(Exact());
+        if (known && goes && goes->is_zero())
             fault(form[rise], {lang::laws::it_goes_nowhere_write_form_rest});
     }
     piece.over = form.quantity_or_default(over);

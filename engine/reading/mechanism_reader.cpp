@@ -76,7 +76,10 @@ private:
             read_wishes(file);
         }
         read_exercise(file, mechanism_);
-        if (!is_problem && faults_.empty()) wishes_.read_cuts();
+        if (!is_problem && faults_.empty()) {
+            wishes_.check_observed_points();
+            wishes_.read_cuts();
+        }
     }
 
     void read_head(const Members& file) {

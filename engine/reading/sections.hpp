@@ -116,6 +116,8 @@ public:
     void read_wish(JsonValue value);
     /// Cuts name bars of a truss, which depend on the whole file.
     void read_cuts();
+    /// Whether bodies carry the points whose relative motion is asked for; after the bodies and joints.
+    void check_observed_points();
 
 private:
     using Kind = FormReader::Kind;
@@ -128,6 +130,7 @@ private:
     FormReader& file_;
     Mechanism& mechanism_;
     std::vector<JsonValue> cuts_;
+    std::vector<std::pair<JsonValue, PointIndex>> observed_;  ///< points whose relative motion is asked for
 };
 
 // ----- The profiles of a contact: given with the joint, or the circles of its bodies, or only their common tangent.

@@ -76,15 +76,32 @@ void WishesSection::read_wish(JsonValue value) {
     RelativeMotionQuery query;
     query.where = value.pointer();
     query.point = form.point("relative motion");
+    observed_.emplace_back(form["relative motion"], query.point);
     const JsonValue observer = form.value("observer");
-    if (observer && observer.is_object())
+    if (observer && observer.is_object()) {
         query.translating_with = file_.members(observer, translating_observer).point("translating with");
-    else
+        observed_.emplace_back(observer["translating with"], query.translating_with);
+    } else {
         query.observer = file_.body(observer);
+    }
     query.solves = form.flag("solve");
     if (query.solves && query.translating_with != none)
         file_.fault(form["solve"], {lang::wishes::the_motion_is_solved_through});
     add_once(find.relative_motion, std::move(query));
+}
+
+void WishesSection::check_observed_points() {
+    const auto is_carried = [&](PointIndex point) {
+        const auto has = [&](const Body& body) {
+            return std::find(body.points.begin(), body.points.end(), point) != body.points.end();
+        };
+        const auto joins = [&](const Joint& joint) { return joint.point == point; };
+        return std::any_of(mechanism_.bodies.begin(), mechanism_.bodies.end(), has) ||
+               std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(), joins);
+    };
+    for (const auto& [at, point] : observed_)
+        if (point != none && !is_carried(point))
+            file_.fault(at, {lang::wishes::no_body_carries_it, quoted(mechanism_.point(point).name)});
 }
 
 void WishesSection::read_cuts() {

@@ -52,6 +52,9 @@ struct SolvedContacts {
     std::vector<Words> remarks;  ///< on these, and on contacts that have no solution
 };
 
+/// Values that differ from the check by more than 1e-6 of the largest of their kind and unit, a remark for each.
+std::vector<Words> remarks_on_check(const std::vector<ProblemValue>& values);
+
 /// The error if a result or its check is not a finite number because the data differ too much in size. `where`: the
 /// problem's place.
 std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, const std::string& where);

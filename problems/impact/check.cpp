@@ -138,23 +138,29 @@ private:
             total_ = {size, size};
             return;
         }
+        // Bodies that jam stop approaching and slipping at once, and would then stay at rest under any impulse.
+        const double stopped = 1e-12 * before;
         double sum = 0;
-        for (long i = 0; i < most && approach() < 0; ++i) {
+        for (long i = 0; i < most && approach() < stopped; ++i) {
             const auto back = bodies_;
             const Pair total = total_;
-            const double from = approach();
-            advance(size);
-            sum += size;
-            if (const double to = approach(); to > 0) {
+            double rest = size;
+            advance(rest);
+            if (approach() >= stopped) {
                 // The compression ended within this step.
+                double none = 0;
+                for (int halving = 0; halving < 60; ++halving) {
+                    const double half = 0.5 * (none + rest);
+                    bodies_ = back;
+                    total_ = total;
+                    advance(half);
+                    (approach() < stopped ? none : rest) = half;
+                }
                 bodies_ = back;
                 total_ = total;
-                sum -= size;
-                const double rest = size * from / (from - to);
                 advance(rest);
-                sum += rest;
-                break;
             }
+            sum += rest;
         }
         const double all = restitution * sum;
         for (int i = 0; i < steps && all > 0; ++i) advance(all / steps);

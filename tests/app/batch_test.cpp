@@ -116,6 +116,10 @@ TEST_F(Batch, TakesTheOptionsOfSolve) {
     EXPECT_EQ(run("solve crank.json --at 30° --at 60° --exact -o p.json").status, 0);
     EXPECT_EQ(all[2]["results"][1], json::parse(contents(folder_ / "p-2.json")));
     EXPECT_TRUE(all[3]["svg"][0] == as_solve("--detail brief --orientation portrait -o s.svg"));
+    const auto turned = answers(batch(R"({"file": "crank.json"})", "--at 60°").out);
+    ASSERT_EQ(turned.size(), 1U);
+    EXPECT_EQ(run("solve crank.json --at 60° -o p.json").status, 0);
+    EXPECT_EQ(turned[0]["result"], json::parse(contents(folder_ / "p.json")));
 }
 
 TEST_F(Batch, SuperposesLoadsAsSolveDoes) {
@@ -169,6 +173,8 @@ TEST_F(Batch, WrongLinesSayWhyAndStopNothing) {
         {R"({"file": "crank.json", "theme": "none"})", "none: cannot be read"},
         {R"({"file": "crank.json", "figure": "nose", "want": ["svg"]})", "there is no such figure"},
         {R"({"file": "crank.json", "grid": true})", "--grid is for the question"},
+        {R"({"file": "crank.json", "steps": true, "figure": "velocity", "want": ["svg"]})", "exclude each other"},
+        {R"({"file": "crank.json", "steps": true, "slides": true, "paper": "A3"})", "--slides and --paper exclude"},
         {R"({"mechanism": {"kinegraph": 1, "points": {"A": 3}}})", "mechanism: /points/A: "},
     };
     std::string lines = "\n";  // an empty line is none
@@ -176,7 +182,7 @@ TEST_F(Batch, WrongLinesSayWhyAndStopNothing) {
         lines += std::string(row.line) + "\n" + R"({"id": "good", "file": "crank.json"})" + "\r\n";
     const Outcome outcome = batch(lines, "--jobs 3");
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_TRUE(lines_are(outcome.err, "kinegraph: lines that could not be carried out: 26 of 52 .*")) << outcome.err;
+    EXPECT_TRUE(lines_are(outcome.err, "kinegraph: lines that could not be carried out: 28 of 56 .*")) << outcome.err;
     const auto all = answers(outcome.out);
     ASSERT_EQ(all.size(), 2 * std::size(rows));
     for (std::size_t i = 0; i < std::size(rows); ++i) {

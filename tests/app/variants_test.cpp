@@ -228,6 +228,18 @@ TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
         << italian.err;
 }
 
+TEST_F(VariantsCommand, LeavesNoQuestionsOfAnotherRunBesideItsKey) {
+    ASSERT_EQ(run("variants train.json --count 3 --seed 1 --for moodle,csv --merge -o st").status, 0);
+    write("st/answers.csv", "altered by hand");
+    const Outcome made = run("variants train.json --count 2 --seed 2 --format svg -o st");
+    EXPECT_EQ(made.status, 0) << made.err;
+    for (const std::string name : {"moodle.xml", "questions.pdf", "solutions.pdf"}) {
+        EXPECT_FALSE(is_there("st/" + name)) << name;
+        EXPECT_NE(made.err.find("this one does not: " + name + "\n"), std::string::npos) << made.err;
+    }
+    EXPECT_TRUE(is_there("st/key.pdf") && is_there("st/answers.csv"));
+}
+
 TEST_F(VariantsCommand, RefusesAValueForWhatVaries) {
     const auto before = snapshot();
     const Outcome refused = run("variants train.json --count 2 -o out --set z2=30 --set r2=40mm");

@@ -133,6 +133,31 @@ TEST(Impact, RouthAgreesWithNewtonWhereverTheContactSticksSlidesOrTurnsBack) {
     EXPECT_GT(slid, 0);
 }
 
+/// A rod on a pivot comes to rest at once where friction jams it: slip and approach end in the same instant.
+TEST(Impact, OfAPivotedRodAgreesWithNewtonAlsoWhereItJams) {
+    int jammed = 0;
+    for (const char* friction : {"0", "0.5", "1.7", "5"})
+        for (const char* pivot : {"[0.3, 1]", "[-0.4, 0.8]", "[0.6, 0.2]"}) {
+            const std::string text =
+                std::string(R"({"kinegraph": 1, "impact": {"bodies": {"rod": {"mass": 1, "centre": [0.15, 0.5],
+                "inertia": 0.1, "omega": 2, "pivot": )") +
+                pivot +
+                R"(}, "floor": {"fixed": true}}, "at": [0, 0], "normal": 90, "restitution": 0.5, "friction": )" +
+                friction + "}}";
+            auto mechanism = read_mechanism(text, "rod.json");
+            ASSERT_TRUE(mechanism);
+            const auto solution = solve(*std::move(mechanism));
+            if (!solution) continue;  // it would part
+            SCOPED_TRACE(text);
+            expect_balance(*solution);
+            expect_near_check(*solution, 1e-9);
+            for (const Words& remark : solution->problem->remarks)
+                EXPECT_EQ(in_english(remark).find("numeric check"), std::string::npos) << in_english(remark);
+            jammed += impact_of(*solution).kinematic_restitution.is_zero();
+        }
+    EXPECT_GT(jammed, 0);
+}
+
 TEST(Impact, EveryClassIsToldFromTheOthers) {
     // A disc of centre C that hits the floor at the origin with the velocity v, perfectly plastic and perfectly
     // elastic.
