@@ -75,8 +75,11 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
     const LabelRequest& request = setting_.requests[label];
     const Spot at = request.anchor, half = letters_[label].half();
     std::optional<Candidate> found;
-    const auto last = static_cast<int>(
-        std::max({at.x - middles.min.x, middles.max.x - at.x, at.y - middles.min.y, middles.max.y - at.y}) / step);
+    // Beyond the longest leader there is nothing to look for, however large the figure.
+    const double farthest =
+        std::min(longest_leader + request.clearance + std::max(half.x, half.y) + step,
+                 std::max({at.x - middles.min.x, middles.max.x - at.x, at.y - middles.min.y, middles.max.y - at.y}));
+    const auto last = static_cast<int>(farthest / step);
     for (int ring = 1; ring <= last; ++ring) {
         const double away = ring * step;
         if (found && looks_left_ <= 0) break;
