@@ -27,9 +27,12 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
 }
 
 BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
-    const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
-    Whole& whole = found->second;
-    if (fresh) whole = {std::vector<Passage>(band.parts.size()), std::vector<bool>(band.parts.size())};
+    Whole& whole = wholes_[{band.question, divided, cornered}];
+    // A band that has only figures of a question, and no parts, may ask first.
+    if (whole.passages.size() < band.parts.size()) {
+        whole.passages.resize(band.parts.size());
+        whole.is_set.resize(band.parts.size());
+    }
     return whole;
 }
 
