@@ -9,7 +9,7 @@ import {along, apart, minus} from './path.js';
 import {Pen} from './pen.js';
 import {Report} from './report.js';
 import {total} from './room.js';
-import {spoken} from './steps.js';
+import {withoutTables} from './steps.js';
 import {faultOf, leadingTo, pencil, tasksOf} from './tasks.js';
 /** @typedef {import('./figures.js').FigureView} FigureView */
 /** @typedef {import('./page.js').Page} Page */
@@ -248,7 +248,8 @@ export class Exercise {
         ++this.hints;
         const {statement} = this.tasks[this.now];
         const sentence = this.page.says.find((each) => Number(each.dataset.says) === statement);
-        this.tell(sentence ? spoken(sentence) : this.page.word('no_hint'));
+        if (!sentence) return this.tell(this.page.word('no_hint'));
+        this.page.at('try-verdict').replaceChildren(...withoutTables(sentence).childNodes);
     }
     /**
      * @param {number} points

@@ -190,7 +190,11 @@ function mostDrawn(figures, sentence) {
  * @param {Element} sentence
  */
 export function spoken(sentence) {
+    return withoutTables(sentence).textContent ?? '';
+}
+/** @param {Element} sentence */
+export function withoutTables(sentence) {
     const copy = /** @type {Element} */ (sentence.cloneNode(true));
     for (const table of copy.querySelectorAll('table')) table.remove();
-    return copy.textContent ?? '';
+    return copy;
 }

@@ -901,6 +901,7 @@ test('an exercise tells direction, sense, length, point, name and order apart, a
     assert.equal(await judge(), 'The direction of v_A is right, its sense is wrong.');
     await see('document.getElementById("try-hint").click()');
     assert.match(await see(verdict), /normal to O2A/);
+    assert.ok(await see('document.querySelectorAll("#try-verdict sub").length') >= 3);
     // By hand, to its end; begun anew, so that the end is on the screen.
     await choose('try-point', 'oᵥ');
     const [from, to] = await see(`(() => {

@@ -365,6 +365,33 @@ test('a disc slides on a bar that is clicked, a profile is changed in the panel,
     assert.deepEqual(messages, []);
 });
 
+test('a field that was taken is undone with the file; a comma marks decimals where the language does', async () => {
+    rmSync(path, {force: true});
+    const {process: german, address: there} = await serve(program, path, '--lang', 'de');
+    await open(there);
+    await ready();
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('l');
+    for (const place of ['0,5; 0', '=10 + 30 < 60', '-20, 10']) {
+        await page.keyboard.type(place);
+        await page.keyboard.press('Enter');
+    }
+    await settled();
+    const [a, b, c] = Object.keys((await file()).points), {points} = await file();
+    assert.deepEqual([points[a], points[b], points[c]],
+        [[0.5, 0], {from: a, distance: '=10 + 30', angle: 60}, [-20, 10]]);
+    await run(`workbench.select('/bodies/2')`);
+    for (const [typed, length] of [['1,5', 1.5], ['4,25 cm', '4.25 cm'], ['= 2*20 mm', '= 2*20 mm'], ['3.5', 3.5]]) {
+        await fill(`length-${a}-${b}`, typed);
+        assert.equal((await file()).points[b].distance, length);
+        await page.keyboard.press('Control+z');
+        await settled();
+        assert.deepEqual((await file()).points, points, typed);
+    }
+    german.kill();
+    assert.deepEqual(messages, []);
+});
+
 test('by touch: points are placed, two fingers zoom', async () => {
     await begin({width: 390, height: 844});
     await page.locator('[data-tool=link]').tap();

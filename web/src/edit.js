@@ -1,6 +1,7 @@
 // What can be done to a mechanism, each as a change of the file's text: add points, links, joints, drivers and loads.
 import {Literal} from './json_text.js';
 import {Model} from './model.js';
+import {withPoint} from './words.js';
 
 /**
  * @typedef {import('./json_text.js').JsonText} JsonText
@@ -26,7 +27,7 @@ export const roundedSpot = (at) => [rounded(at[0]), rounded(at[1])];
  * @param {string} text
  */
 export function typed(text) {
-    const trimmed = text.trim();
+    const trimmed = withPoint(text.trim());
     return /^-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?$/.test(trimmed) ? new Literal(trimmed) : trimmed;
 }
 /**

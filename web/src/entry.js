@@ -16,7 +16,7 @@ const numberOf = (value) => (value instanceof Literal ? Number(value.text) : NaN
  * @param {import('./edit.js').Spots} spots
  */
 export function targetOf(text, from, spots) {
-    const polar = text.split('<'), pair = text.split(/[,;]/);
+    const polar = text.split('<'), pair = text.split(text.includes(';') ? ';' : ',');
     const none = {point: '', bar: null, says: '', snapped: ''};
     if (polar.length === 2 && from && polar.every((each) => each.trim())) {
         const [length, turned] = polar.map((each) => typed(each.replace(/°\s*$/, ''))), start = spots[from] ?? [0, 0];
@@ -60,7 +60,7 @@ export class Entry {
         // A digit on the canvas begins it.
         canvas.addEventListener('keydown', (event) => {
             const draws = bench.tool && !(bench.tool instanceof SelectTool);
-            if (!draws || event.ctrlKey || event.metaKey || event.altKey || !/^[-\d.<]$/.test(event.key)) return;
+            if (!draws || event.ctrlKey || event.metaKey || event.altKey || !/^[-\d.<=]$/.test(event.key)) return;
             event.preventDefault();
             event.stopImmediatePropagation();
             this.input.value = event.key;

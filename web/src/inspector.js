@@ -6,7 +6,7 @@ import {bodyFields, driverFields, jointFields, loadFields, massFields} from './i
 import {angle, distance, formOf, forms, placeBy, setAngle, setDistance} from './placing.js';
 import {rename} from './references.js';
 import {pointerTo} from './tools.js';
-import {word} from './words.js';
+import {numberText, word} from './words.js';
 
 /** @typedef {import('./bench.js').Bench} Bench */
 
@@ -192,14 +192,12 @@ export class Inspector {
         return [...rows, ...names.map((each) => fileField(bench, each, ['parameters', each]))];
     }
     values() {
-        const {bench} = this, values = bench.answer?.values ?? [];
+        const values = this.bench.answer?.values ?? [];
         const wanted = values.filter(({name}) => /^(omega|alpha) |^v \S+$|^M|^effort|^bar /.test(name)).slice(0, 12);
         if (wanted.length === 0) return [];
         return [
             heading(word('values')),
-            ...wanted.map(({name, value, unit}) =>
-                told(symbolOf(name), `${numberText(value, bench.inquiry.language)} ${unit}`)
-            )
+            ...wanted.map(({name, value, unit}) => told(symbolOf(name), `${numberText(value, 4)} ${unit}`))
         ];
     }
     /** Everything that can be selected, for those who do not point. */
@@ -230,15 +228,6 @@ function symbolOf(name) {
     const [, letter, index] = /^(\S+) (.+)$/.exec(name) ?? ['', name, ''];
     const of = {omega: 'ω', alpha: 'α'}[letter] ?? letter;
     return html('span', {}, of, ...index ? [html('sub', {}, index)] : []);
-}
-/**
- * Four digits, with the decimal mark of the language and a real minus.
- * @param {number} value
- * @param {string} language
- */
-function numberText(value, language) {
-    const text = String(Number(value.toPrecision(4))).replace('-', '−');
-    return language === 'en' ? text : text.replace('.', ',');
 }
 /**
  * @param {Bench} bench

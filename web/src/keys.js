@@ -52,8 +52,10 @@ export class Keys {
         const isTyping = event.target instanceof Element && event.target.matches('input, textarea, select');
         if (event.ctrlKey || event.metaKey) {
             const name = (event.shiftKey ? 'shift+' : '') + event.key.toLowerCase();
-            // While a text is written its own undo counts.
-            if (isTyping && /z$|y$/.test(name)) return;
+            // While a text is written its own undo counts; a field that is taken is as the file has it.
+            const {target} = event,
+                isTaken = target instanceof HTMLInputElement && target.value === target.defaultValue;
+            if (isTyping && !isTaken && /z$|y$/.test(name)) return;
             if (!(name in this.commands)) return;
             event.preventDefault();
             this.commands[name]();

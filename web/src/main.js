@@ -70,7 +70,7 @@ async function start() {
         inquiry.ask();
     });
     const {words} = await engine.answer({text: '', name: '', want: ['words'], options: {lang: inquiry.language}});
-    setWords(words ?? {});
+    setWords(words ?? {}, inquiry.language);
     dress(document);
     showCompact();
     const files = new Files(bench), gallery = new Gallery(bench, files), modes = new Modes(bench);

@@ -3,10 +3,31 @@
 /** @type {Record<string, string>} */
 let words = {};
 
-/** @param {Record<string, string>} all */
-export function setWords(all) {
+let marksByComma = false;
+
+/**
+ * @param {Record<string, string>} all
+ * @param {string} language of the reader
+ */
+export function setWords(all, language) {
     words = all;
+    marksByComma = language !== 'en';
 }
+/**
+ * A number as the reader's language writes it: −12,57.
+ * @param {number} value
+ * @param {number} digits significant ones
+ */
+export function numberText(value, digits) {
+    const text = String(Number(value.toPrecision(digits))).replace('-', '−');
+    return marksByComma ? text.replace('.', ',') : text;
+}
+/**
+ * What was typed, with the decimal point of files: "1,5 cm" is "1.5 cm" where the language marks decimals by a comma.
+ * @param {string} text
+ */
+export const withPoint = (text) =>
+    marksByComma ? text.replace(/^([-+]?\d+),(\d+(?:[eE][-+]?\d+)?\s*(?:[^\d\s,;].*)?)$/, '$1.$2') : text;
 /**
  * A text with its places {0}, {1} filled.
  * @param {string} key
