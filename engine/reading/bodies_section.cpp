@@ -16,13 +16,12 @@ constexpr Form body_circle{lang::bodies::a_body_circle, body_circle_rows, "A dis
 
 constexpr FormValue points_of_body = values::list(values::point_in_array);
 constexpr FormValue body_colour =
-    values::json(R"("type": "string", "pattern": "^#[0-9A-Fa-f]{6}$", "examples": ["#c04020"])")
-        .named("colour", "The body's colour in all figures, in place of the theme's.");
+    values::json(R"("type": "string", "pattern": "^#[0-9A-Fa-f]{6}$", "examples": ["#c04020"])");
 constexpr std::array body_rows{
     FormRow("points", "[…]", points_of_body, "The points that move with it.").called(lang::bodies::an_array_of_points),
     FormRow("label", "\"…\"", values::texts),
     FormRow("circle", R"({"centre": P, "radius": r})", values::object(body_circle)).called(lang::bodies::centre_radius),
-    FormRow("colour", R"("#RRGGBB")", body_colour)};
+    FormRow("colour", R"("#RRGGBB")", body_colour, "The body's colour in all figures, in place of the theme's.")};
 constexpr Form body_form{lang::bodies::a_body, body_rows};
 constexpr std::array body_choices{points_of_body, values::object(body_form)};
 
