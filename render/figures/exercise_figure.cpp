@@ -140,7 +140,7 @@ private:
         for (const double radius : {7.0, 9.0})
             for (int step = 0; step < 12; ++step) {
                 const double from = step * pi_number / 6;
-                best.offer(clutter_.along_arc(at, radius, from, by), {at, radius, from, from + by});
+                best.offer(clutter_.along_arc(at, radius, from, by, best.price), {at, radius, from, from + by});
             }
         const Arc& arc = best.choice;
         draw_arc_arrow(sketch_.arrows, at, arc.radius, arc.from, arc.to, sketch_.theme.outline, colour.line);

@@ -325,11 +325,13 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
+    constexpr double of_crossing = 4;
     Cheapest<Arc> best;
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
-            const double from = step * pi_number / 6;
-            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by),
+            const double from = step * pi_number / 6, price = 0.15 * (radius - 7) / 3.5;
+            const double enough = (best.price - price) / of_crossing;
+            best.offer(price + of_crossing * clutter.along_arc(at, radius, from, by, enough),
                        {at, radius, from, from + by});
         }
     const Arc& arc = best.choice;

@@ -70,12 +70,15 @@ double Clutter::along(Spot from, Spot to) const {
     return static_cast<double>(met) / (pieces + 1);
 }
 
-double Clutter::along_arc(Spot centre, double radius, double from, double sweep) const {
+double Clutter::along_arc(Spot centre, double radius, double from, double sweep, double enough) const {
     constexpr int pieces = 4;
     double sum = 0;
-    for (int i = 0; i < pieces; ++i)
-        sum += along(centre + radius * polar_spot(from + sweep * i / pieces),
-                     centre + radius * polar_spot(from + sweep * (i + 1) / pieces));
+    Spot tail = centre + radius * polar_spot(from);
+    for (int i = 0; i < pieces && sum / pieces < enough; ++i) {
+        const Spot tip = centre + radius * polar_spot(from + sweep * (i + 1) / pieces);
+        sum += along(tail, tip);
+        tail = tip;
+    }
     return sum / pieces;
 }
 

@@ -15,8 +15,9 @@ public:
     void add_arc(Spot centre, double radius, double from, double sweep);
     /// The fraction of the segment that lies near strokes.
     double along(Spot from, Spot to) const;
-    /// The mean of along() over the chords of an arc of `sweep` radians (clockwise on paper).
-    double along_arc(Spot centre, double radius, double from, double sweep) const;
+    /// The mean of along() over the chords of an arc of `sweep` radians (clockwise on paper). From `enough` on the
+    /// result is only a lower bound.
+    double along_arc(Spot centre, double radius, double from, double sweep, double enough = 1) const;
 
 private:
     struct Stroke {
