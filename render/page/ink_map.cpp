@@ -22,6 +22,16 @@ std::size_t whole_above(double number) {
 }
 std::size_t whole_below(double number) { return static_cast<std::size_t>(number); }
 
+/// The number of bits of a word that are set: std::popcount is a call on such processors.
+int bits_in(std::uint64_t word) {
+    if (word == 0) return 0;  // most are
+    constexpr std::uint64_t ones = 0x5555555555555555, pairs = 0x3333333333333333, fours = 0x0f0f0f0f0f0f0f0f;
+    word -= (word >> 1) & ones;
+    word = (word & pairs) + ((word >> 2) & pairs);
+    word = (word + (word >> 4)) & fours;
+    return static_cast<int>((word * 0x0101010101010101) >> 56);
+}
+
 /// The run of a box in each row of a map, for the rows whose centre line meets the box.
 class Runs {
 public:
@@ -302,7 +312,7 @@ double InkMap::inked(const InkBox& box, double most) const {
     const int enough = static_cast<int>(std::min(most / bit, 1e9)) + 1;
     int bits = 0;
     rows_of(box, [&](std::uint64_t word) {
-        bits += std::popcount(word);
+        bits += bits_in(word);
         return bits < enough;
     });
     return bits * bit;
@@ -348,20 +358,27 @@ int InkMap::crossings(Spot from, Spot to, int most) const {
     };
     std::int64_t x = place(from.x, origin_.x), y = place(from.y, origin_.y);
     const std::int64_t dx = (place(to.x, origin_.x) - x) / steps, dy = (place(to.y, origin_.y) - y) / steps;
-    bool own = true;            // the ink at the start belongs to the leader's own object, but it must end soon
+    const auto inked = [&] {
+        const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);
+        return column < static_cast<std::uint64_t>(columns_) && row < static_cast<std::uint64_t>(rows_) &&
+               ((bits_[static_cast<std::size_t>(row * words_ + column / 64)] >> (column % 64)) & 1U) != 0;
+    };
+    // The ink at the start belongs to the leader's own object, but it must end soon.
     constexpr double soon = 3;  // mm
+    int i = 0;
+    for (; i <= steps && i * pitch_ < soon && inked(); ++i, x += dx, y += dy) {
+    }
     int count = 0;
     int run = 0;                   // length of the current ink run, in steps
     constexpr double broad = 0.8;  // mm; crossing a broad link counts more than crossing a thin line
     const int broad_run = std::max(1, static_cast<int>(broad / pitch_));
-    for (int i = 0; i <= steps && count < most; ++i, x += dx, y += dy) {
-        const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);
-        const bool inked = column < static_cast<std::uint64_t>(columns_) && row < static_cast<std::uint64_t>(rows_) &&
-                           ((bits_[static_cast<std::size_t>(row * words_ + column / 64)] >> (column % 64)) & 1U) != 0;
-        const bool left = own && !(inked && i * pitch_ < soon);
-        own = own && !left;
-        run = inked ? (left ? 1 : run + 1) : 0;
-        count += inked && !own && (run == 1 || run % broad_run == 0);
+    for (; i <= steps && count < most; ++i, x += dx, y += dy) {
+        if (!inked()) {
+            run = 0;
+            continue;
+        }
+        ++run;
+        if (run == 1 || run % broad_run == 0) ++count;
     }
     return count;
 }
