@@ -576,36 +576,7 @@ private:
     /// Finds a free position that enlarges the figure least and is near the place shown. Returns the centre.
     Spot place(Figure inset, const Detail& shown, Spot of) {
         const Box box = figure_.box;
-        // The area that may be occupied, wherever the inset goes.
-        const Spot reach{std::max(room_.x - box.width(), inset.box.width() + apart_from_figure),
-                         std::max(room_.y - box.height(), inset.box.height() + apart_from_figure)};
-        const Spot origin = box.min - reach;
-        const Occupancy occupancy(origin, {box.width() + 2 * reach.x, box.height() + 2 * reach.y},
-                                  covered(figure_.marks));
-        Spot best;
-        double least = 1e300;
-        constexpr double step = 2, rounding = 1e-6;
-        for (double x = origin.x; x + inset.box.width() <= box.max.x + reach.x; x += step) {
-            const double far_x = x + inset.box.width();
-            const double width = std::max(box.max.x, far_x) - std::min(box.min.x, x);
-            const double across = 1000 * std::max(0.0, width - room_.x) + (width - box.width());
-            // Most columns are dearer than what was found, wherever the inset stands in them.
-            if (across + 0.15 * std::abs(0.5 * (x + far_x) - of.x) >= least + rounding) continue;
-            for (double y = origin.y; y + inset.box.height() <= box.max.y + reach.y; y += step) {
-                const Spot far{far_x, y + inset.box.height()};
-                const double height = std::max(box.max.y, far.y) - std::min(box.min.y, y);
-                const double outside = std::max(0.0, width - room_.x) + std::max(0.0, height - room_.y);
-                const Spot middle{0.5 * (x + far.x), 0.5 * (y + far.y)};
-                const double price =
-                    1000 * outside + (width - box.width()) + (height - box.height()) + 0.15 * length(middle - of);
-                if (price >= least) continue;
-                const Box wanted{{x - apart_from_figure, y - apart_from_figure},
-                                 far + Spot{apart_from_figure, apart_from_figure}};
-                if (!occupancy.is_free(wanted)) continue;
-                least = price;
-                best = {x, y};
-            }
-        }
+        const Spot best = free_corner(inset.box, of);
         inset.move(best.x - inset.box.min.x, best.y - inset.box.min.y);
         const Spot centre = 0.5 * (inset.box.min + inset.box.max);
         for (DetailOn& each : figure_.details)
@@ -619,6 +590,55 @@ private:
         figure_.box = {{std::min(box.min.x, inset.box.min.x), std::min(box.min.y, inset.box.min.y)},
                        {std::max(box.max.x, inset.box.max.x), std::max(box.max.y, inset.box.max.y)}};
         return centre;
+    }
+
+    /// The upper left corner at which a box of the size of the inset is free and costs least. `of`: as in place().
+    Spot free_corner(const Box& inset, Spot of) const {
+        const Box& box = figure_.box;
+        // The area that may be occupied, wherever the inset goes.
+        const Spot reach{std::max(room_.x - box.width(), inset.width() + apart_from_figure),
+                         std::max(room_.y - box.height(), inset.height() + apart_from_figure)};
+        const Spot origin = box.min - reach;
+        const Occupancy occupancy(origin, {box.width() + 2 * reach.x, box.height() + 2 * reach.y},
+                                  covered(figure_.marks));
+        const auto price_at = [&](double x, double y) {
+            const Spot far{x + inset.width(), y + inset.height()};
+            const double width = std::max(box.max.x, far.x) - std::min(box.min.x, x);
+            const double height = std::max(box.max.y, far.y) - std::min(box.min.y, y);
+            const double outside = std::max(0.0, width - room_.x) + std::max(0.0, height - room_.y);
+            const Spot middle{0.5 * (x + far.x), 0.5 * (y + far.y)};
+            return 1000 * outside + (width - box.width()) + (height - box.height()) + 0.15 * length(middle - of);
+        };
+        Spot best;
+        double least = 1e300;
+        constexpr double step = 2, rounding = 1e-6;
+        const auto look = [&](int every) {
+            int column = 0;
+            for (double x = origin.x; x + inset.width() <= box.max.x + reach.x; x += step) {
+                if (column++ % every != 0) continue;
+                const double far = x + inset.width();
+                const double width = std::max(box.max.x, far) - std::min(box.min.x, x);
+                const double across = 1000 * std::max(0.0, width - room_.x) + (width - box.width());
+                // Most columns are dearer than what was found, wherever the inset stands in them.
+                if (across + 0.15 * std::abs(0.5 * (x + far) - of.x) >= least + rounding) continue;
+                int row = 0;
+                for (double y = origin.y; y + inset.height() <= box.max.y + reach.y; y += step) {
+                    if (row++ % every != 0) continue;
+                    const double price = price_at(x, y);
+                    if (price >= least) continue;
+                    const Box wanted{{x - apart_from_figure, y - apart_from_figure},
+                                     {x + inset.width() + apart_from_figure, y + inset.height() + apart_from_figure}};
+                    if (!occupancy.is_free(wanted)) continue;
+                    least = price;
+                    best = {x, y};
+                }
+            }
+        };
+        // A few places tell what is too dear; of all that are equal the first one counts.
+        look(8);
+        least += rounding;
+        look(1);
+        return best;
     }
 
     Figure& figure_;

@@ -16,14 +16,14 @@ constexpr double most_bits = 3000;  // per side
 
 /// The next whole number of a number that is not negative: std::ceil is a call on processors of 2003, for which the
 /// program is built.
-std::size_t whole_above(double number) {
+inline std::size_t whole_above(double number) {
     const auto below = static_cast<std::size_t>(number);
     return below + (static_cast<double>(below) < number ? 1 : 0);
 }
-std::size_t whole_below(double number) { return static_cast<std::size_t>(number); }
+inline std::size_t whole_below(double number) { return static_cast<std::size_t>(number); }
 
 /// The number of bits of a word that are set: std::popcount is a call on such processors.
-int bits_in(std::uint64_t word) {
+inline int bits_in(std::uint64_t word) {
     if (word == 0) return 0;  // most are
     constexpr std::uint64_t ones = 0x5555555555555555, pairs = 0x3333333333333333, fours = 0x0f0f0f0f0f0f0f0f;
     word -= (word >> 1) & ones;
@@ -168,6 +168,7 @@ InkMap::InkMap(const Box& area) : origin_(area.min) {
     rows_ = std::max(1, static_cast<int>(std::ceil(area.height() / pitch_)) + 1);
     words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
     bits_.assign(words_ * static_cast<std::size_t>(rows_), 0);
+    any_.assign(words_ * (static_cast<std::size_t>(rows_) / rows_at_once + 1), 0);
 }
 
 template <class Look>
@@ -186,8 +187,8 @@ bool InkMap::words_of(std::size_t base, double from, double to, Look look) const
 }
 
 void InkMap::ink_row(int row, double from, double to) {
-    words_of(static_cast<std::size_t>(row) * words_, from, to, [&](std::size_t word, std::uint64_t mask) {
-        bits_[word] |= mask;
+    words_of(0, from, to, [&](std::size_t word, std::uint64_t mask) {
+        set(static_cast<std::size_t>(row), word, mask);
         return true;
     });
 }
@@ -231,7 +232,7 @@ void InkMap::fill(const InkBox& box) {
     const auto [from, to] = runs.of(runs.first);
     words_of(0, from, to, [&](std::size_t word, std::uint64_t mask) {
         for (auto row = static_cast<std::size_t>(runs.first); row <= static_cast<std::size_t>(runs.last); ++row)
-            bits_[row * words_ + word] |= mask;
+            set(row, word, mask);
         return true;
     });
 }
@@ -266,14 +267,14 @@ void InkMap::clear(const Box& box) {
                  });
 }
 
-std::uint64_t InkMap::Bits::mask(std::size_t word) const {
+inline std::uint64_t InkMap::Bits::mask(std::size_t word) const {
     std::uint64_t mask = ~std::uint64_t{0};
     if (word == left / 64) mask &= ~std::uint64_t{0} << (left % 64);
     if (word == right / 64) mask &= ~std::uint64_t{0} >> (63 - right % 64);
     return mask;
 }
 
-std::optional<InkMap::Bits> InkMap::bits_of(const InkBox& upright) const {
+inline std::optional<InkMap::Bits> InkMap::bits_of(const InkBox& upright) const {
     const double first = (upright.centre.y - upright.half.y - origin_.y) / pitch_ - 0.5;
     const double last = (upright.centre.y + upright.half.y - origin_.y) / pitch_ - 0.5;
     const double left = (upright.centre.x - upright.half.x - origin_.x) / pitch_ - 0.5;
@@ -293,8 +294,13 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
     // Axis-aligned: the same words in every row. Column by column of words: most boxes have one or two.
     for (std::size_t word = bits->left / 64; word <= bits->right / 64; ++word) {
         const std::uint64_t mask = bits->mask(word);
-        for (std::size_t row = bits->top; row <= bits->bottom; ++row)
-            if (!look(bits_[row * words_ + word] & mask)) return;
+        for (std::size_t row = bits->top; row <= bits->bottom;) {
+            const std::size_t next = (row / rows_at_once + 1) * rows_at_once;
+            if ((any_[row / rows_at_once * words_ + word] & mask) != 0)
+                for (const std::size_t end = std::min(next, bits->bottom + 1); row < end; ++row)
+                    if (!look(bits_[row * words_ + word] & mask)) return;
+            row = next;
+        }
     }
 }
 

@@ -66,7 +66,7 @@ private:
         std::uint64_t mask(std::size_t word) const;  ///< of the columns, in that word of a row
     };
     std::optional<Bits> bits_of(const InkBox& upright) const;
-    /// Calls look() with the words (64 bits) that cover a box, until it returns false.
+    /// Calls look() with the words (64 bits) that cover a box, but for some without ink, until it returns false.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;
     template <class Turned, class Look>
@@ -76,12 +76,19 @@ private:
     template <class Look>
     bool words_of(std::size_t base, double from, double to, Look look) const;
     void ink_row(int row, double from, double to);
+    void set(std::size_t row, std::size_t word, std::uint64_t mask) {
+        bits_[row * words_ + word] |= mask;
+        any_[row / rows_at_once * words_ + word] |= mask;
+    }
+
+    static constexpr std::size_t rows_at_once = 8;
 
     Spot origin_;
     double pitch_ = pitch;
     int columns_ = 0, rows_ = 0;
     std::size_t words_ = 0;  // words per row
     std::vector<std::uint64_t> bits_;
+    std::vector<std::uint64_t> any_;  // of each rows_at_once rows: the bits that at least one has, and maybe more
 };
 
 }  // namespace kinegraph::render
