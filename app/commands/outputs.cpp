@@ -158,11 +158,18 @@ std::optional<Status> add_film(const Drawing& drawing, const Target& target, con
     const int rate = is_motion ? rate_of_motion(kind) : rate_of_stills(kind);
     constexpr double inches_high = 4.5;  // of a slide
     std::vector<Shot> shots;
+    int lead = 0;  // pictures in which the lines of the next one grow
     for (std::size_t page = 0; page < drawing.pages(); ++page) {
         auto png = drawing.png(page, options.height / inches_high);
         if (!png) return cannot_draw("kinegraph"s, png.error(), options.language);
+        if (drawing.grows(page)) {
+            shots.push_back({*std::move(png)});
+            ++lead;
+            continue;
+        }
         const std::string words = drawing.sentences(page);
-        shots.push_back({*std::move(png), is_motion ? 1 : reading_frames(words, rate), words});
+        const int frames = is_motion ? 1 : reading_frames(words, rate) - lead;
+        shots.push_back({*std::move(png), frames, words, std::exchange(lead, 0)});
     }
     if (options.course == Course::to_and_fro)
         for (std::size_t page = shots.size() - 1; page-- > 1;) shots.push_back(shots[page]);

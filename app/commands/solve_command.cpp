@@ -211,6 +211,7 @@ private:
         DrawingOptions slides = options_;
         slides.steps = slides.slides = true;
         slides.sentences = burnt;
+        slides.growing = target.format == Format::gif ? 4 : 8;  // eight tenths of a second
         const auto drawn = draw(solved_, slides);
         if (!drawn) return not_drawn(drawn.error());
         for (Text& each : drawn->remarks()) remarks.push_back(std::move(each));

@@ -115,8 +115,8 @@ std::string captions_of(const std::vector<Shot>& shots, int rate) {
     for (const Shot& shot : shots) {
         const long end = at + shot.frames;
         if (!shot.caption.empty())
-            text += "\n" + std::to_string(++number) + "\n" + time_text(at, rate) + " --> " + time_text(end, rate) +
-                    "\n" + cue_text(shot.caption) + "\n";
+            text += "\n" + std::to_string(++number) + "\n" + time_text(at - shot.lead, rate) + " --> " +
+                    time_text(end, rate) + "\n" + cue_text(shot.caption) + "\n";
         at = end;
     }
     return text;

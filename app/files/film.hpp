@@ -17,6 +17,7 @@ struct Shot {
     std::string png;
     int frames = 1;
     std::string caption{};  ///< empty: none
+    int lead = 0;           ///< so many frames before it the caption already shows
 };
 
 enum class FilmKind { mp4, webm, gif };

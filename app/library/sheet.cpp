@@ -153,6 +153,7 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
                  : options.sheet == SheetWanted::answers ? render::SheetKind::answers
                                                          : render::SheetKind::solution;
     sheet.with_sentences = options.sentences;
+    sheet.growing = options.slides ? options.growing : 0;
     sheet.grid = options.grid;
     if (options.scales) sheet.kept = render::KeptScales{options.scales->of_figures, options.scales->of_forces};
     sheet.joukowsky = options.lever || !options.figure.empty();
@@ -206,6 +207,11 @@ Expected<std::string> Drawing::pdf(Lettering lettering) const {
 std::string Drawing::tex() const { return render::to_tex(state().pages, *fonts_that_drew()); }
 std::string Drawing::beamer() const { return render::to_beamer(state().pages, *fonts_that_drew()); }
 std::vector<std::string> Drawing::dxf() const { return render::to_dxf(state().pages, *fonts_that_drew()); }
+bool Drawing::grows(std::size_t page) const {
+    const auto& pages = state().pages;
+    return page < pages.size() && pages[page].step && pages[page].step->grows;
+}
+
 std::string Drawing::sentences(std::size_t page) const {
     std::string text;
     if (page >= state().pages.size() || !state().pages[page].step) return text;

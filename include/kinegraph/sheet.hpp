@@ -51,6 +51,7 @@ struct DrawingOptions {
     Sheet sheet = Sheet::solution;                        ///< what the pages are for
     bool steps = false;                                   ///< one page for each sentence instead of the sheet
     bool slides = false;  ///< with `steps`: pages of 16:9 for a projector, without title block; `paper` has no meaning
+    int growing = 0;      ///< of slides for a film: so many pages before each, on which its new lines grow
     bool sentences = true;    ///< of slides: false leaves the sentences to captions, see Drawing::sentences()
     bool grid = false;        ///< a question gets blank space with pole and grid for its polygons
     bool lever = false;       ///< adds Joukowsky's lever, where forces and velocities are known
@@ -92,6 +93,8 @@ public:
     std::vector<std::string> dxf() const;
     /// What a page of steps says, in plain text; empty for other pages, and for a page that does not exist.
     std::string sentences(std::size_t page) const;
+    /// Whether a page is one of those before a slide on which its lines grow (DrawingOptions::growing).
+    bool grows(std::size_t page) const;
     /// Warnings about the drawing: characters missing from the font, requested answers that the drawing does not show.
     std::vector<Text> remarks() const;
     /// Characters missing from the font, in Unicode order: "U+4E2D". They are drawn as this code in a box.

@@ -25,6 +25,7 @@ struct SheetOptions {
     SuperposedLoads superposed = SuperposedLoads::joined;  ///< each: the full solution only
     SheetKind kind = SheetKind::solution;
     bool with_sentences = true;        ///< of slides: a film has them as captions
+    int growing = 0;                   ///< of slides for a film: pictures before each, in which its new lines grow
     std::optional<KeptScales> kept{};  ///< of figures, as far as a page can hold them; none: those of this sheet alone
     bool grid = false;                 ///< a question has blank areas for its polygons, with pole and grid
     // Pages before and after these in the same document, and figures before.

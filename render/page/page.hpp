@@ -68,9 +68,10 @@ struct StepText {
     std::string figure;  ///< pages with the same one show the same figures, in the same places
     std::string heading;
     std::vector<RichText> sentences;
-    Spot corner;       ///< where the sentences begin, mm
-    double width = 0;  ///< of the sentences, mm
-    double size = 9;   ///< of their type, points
+    Spot corner;         ///< where the sentences begin, mm
+    double width = 0;    ///< of the sentences, mm
+    double size = 9;     ///< of their type, points
+    bool grows = false;  ///< a picture of a film before the page itself: its new lines are drawn in part
 };
 
 /// One sheet of paper.

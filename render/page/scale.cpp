@@ -33,4 +33,14 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
             if (decimal(step, e) >= least * (1 - 1e-12)) return decimal(step, e);
 }
 
+std::vector<double> scales_between(double finest, double coarsest) {
+    constexpr double finer_steps[] = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+    std::vector<double> scales;
+    for (int e = static_cast<int>(std::floor(nearest::log10(finest))); decimal(1, e) < coarsest; ++e)
+        for (const double step : finer_steps)
+            if (const double scale = decimal(step, e); scale >= finest && scale < coarsest * (1 - 1e-12))
+                scales.push_back(scale);
+    return scales;
+}
+
 }  // namespace kinegraph::render

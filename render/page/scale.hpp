@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace kinegraph::render {
 
@@ -16,6 +17,9 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
 inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
 /// The next finer one: no two neighbours of the series differ by more than a factor of 2.
 inline double finer_scale(double scale) { return choose_scale(0.5 * scale, 0, 1, 1, std::nullopt); }
+
+/// The scales of a finer series, 1-1.25-1.5-2-2.5-3-4-5-6-8 × 10ⁿ, from `finest` to below `coarsest`, the finest first.
+std::vector<double> scales_between(double finest, double coarsest);
 
 /// Marks an empty figure. Drawing functions that take a `coarsest` scale (units per mm) return an empty figure at
 /// any_scale if the drawing would have to be coarser or would exceed its room.

@@ -1,5 +1,6 @@
 #include "render/problems/contact_pages.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <iterator>
 #include <utility>
@@ -55,7 +56,8 @@ std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& op
     std::vector<Page> pages = std::move(bound.pages);
     numbered.figures_before = bound.figures;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        numbered.pages_before = pages.size();
+        numbered.pages_before = static_cast<std::size_t>(std::count_if(
+            pages.begin(), pages.end(), [](const Page& page) { return !page.step || !page.step->grows; }));
         numbered.pages_after -= counts[i];
         std::vector<Page> more = contact(contacts[i].second, numbered, fonts);
         const DrawingContext context{contacts[i].second, options.theme, fonts, options.language, options.dimensions};

@@ -19,12 +19,12 @@ namespace {
 /// Sizes of type relative to the theme's, the first if there is room. A single sentence on a page is read from a
 /// greater distance than a column of text, and a slide from the end of a room.
 constexpr std::array sheet_sizes{1.25};
-constexpr std::array slide_sizes{1.45, 1.3, 1.15};
+constexpr std::array slide_sizes{1.45, 1.3, 1.15, 1.0};
 std::span<const double> type_sizes(const SheetFormat& format) {
     return format.is_slide ? std::span<const double>(slide_sizes) : std::span<const double>(sheet_sizes);
 }
 
-constexpr double below_heading_of_slide = 2;  // mm
+constexpr double below_heading_of_slide = 3;  // mm
 
 /// The block, smaller if its ink is wider than `measure`.
 Block within(Block block, double measure) {

@@ -16,12 +16,15 @@
 #include "render/figures/caption.hpp"
 #include "render/figures/figure.hpp"
 #include "render/mechanism/sketch.hpp"
+#include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
 #include "render/scene/load_case.hpp"
 #include "render/scene/sentences.hpp"
+#include "render/sheet/growth.hpp"
 #include "render/sheet/statement_figures.hpp"
+#include "render/sheet/statement_of_marks.hpp"
 #include "render/sheet/step_prose.hpp"
 
 namespace kinegraph::render {
@@ -42,37 +45,6 @@ struct Recolour {
     }
     template <class Other>
     void operator()(const Other& /*unseen*/) const {}
-};
-
-/// The statement of the mark itself.
-StatementIndex statement_of(const Mark& mark) {
-    return std::visit(
-        [](const auto& each) {
-            if constexpr (requires { each.statement; })
-                return each.statement;
-            else
-                return StatementIndex();
-        },
-        mark);
-}
-
-/// Finds the statement of each mark of a figure in turn: its own or that of its group.
-class Nesting {
-public:
-    /// The statement of the next mark. Call it for the marks in order.
-    StatementIndex enter(const Mark& mark) {
-        if (std::holds_alternative<GroupEnd>(mark)) {
-            groups_.pop_back();
-            return none;
-        }
-        const StatementIndex own = statement_of(mark);
-        const StatementIndex statement = own != none || groups_.empty() ? own : groups_.back();
-        if (std::holds_alternative<GroupBegin>(mark)) groups_.push_back(statement);
-        return statement;
-    }
-
-private:
-    std::vector<StatementIndex> groups_;  // open
 };
 
 /// The statements that draw a figure's strokes and letters, and the names in its labels.
@@ -127,9 +99,12 @@ std::vector<Mark> segments_read(const DrawingContext& context, const std::vector
     return marks;
 }
 
+constexpr double below_caption = 12;  // mm, from the beginning of a caption of one line
+
 /// The rooms of a page: for the figure, for a small one beside or below it, and for what is said.
 struct StepRooms {
     Box large, small, prose;
+    Box tall_prose;  ///< on a slide without a small figure
 
     StepRooms(const SheetFormat& format, Orientation orientation) {
         const Box& content = format.content;
@@ -146,31 +121,51 @@ struct StepRooms {
             small = rectangle(left, content.min.y, content.max.x, below);
             prose = rectangle(left, below + gap, content.max.x, bottom);
         }
+        tall_prose = prose;
+        if (format.is_slide) tall_prose.min.y = content.min.y + below_caption;
     }
 };
+
+/// The theme of figures and sentences on a slide, which is read from the end of a room: with larger letters and bolder
+/// lines. Captions, and small figures, which have no room for larger letters, keep theirs.
+Theme on_slide(Theme theme) {
+    constexpr double larger = 1.2;
+    for (double Theme::*const size : {&Theme::title, &Theme::equation, &Theme::label, &Theme::derived,
+                                      &Theme::body_text, &Theme::small, &Theme::vector, &Theme::outline, &Theme::thin})
+        theme.*size *= larger;
+    return theme;
+}
 
 class StepPages {
 public:
     StepPages(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
-        : context_{solution, options.theme, fonts, options.language, options.dimensions},
+        : format_(format_of(options.paper, options.orientation)),
+          theme_(format_.is_slide ? on_slide(options.theme) : options.theme),
+          context_{solution, theme_, fonts, options.language, options.dimensions},
+          beside_context_{solution, options.theme, fonts, options.language, options.dimensions},
           solution_(solution),
-          format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           after_(options.pages_after),
           wanted_(context_, false, options.detail, options.superposed),
           shown_by_(solution, wanted_),
           with_sentences_(options.with_sentences),
-          beside_context_(context_),
+          growing_(options.growing),
           rooms_(format_, options.orientation),
-          prose_(context_, format_, rooms_.prose) {
+          prose_(context_, format_, rooms_.prose),
+          tall_prose_(context_, format_, rooms_.tall_prose) {
         // A small figure beside another one has space for names only.
         if (options.dimensions == Dimensions::automatic) beside_context_.dimensions = Dimensions::off;
     }
 
     std::vector<Page> pages() {
         collect();
+        growing_ = std::min(growing_, static_cast<int>(most_growing / steps_.size()));
         std::vector<Page> pages;
-        for (std::size_t i = 0; i < steps_.size(); ++i) pages.push_back(page(i));
+        for (std::size_t i = 0; i < steps_.size(); ++i) {
+            const int pictures = growing_ > 0 && grows(i) ? growing_ : 0;
+            for (int k = 1; k <= pictures; ++k) pages.push_back(page(i, static_cast<double>(k) / (pictures + 1)));
+            pages.push_back(page(i, 1));
+        }
         return pages;
     }
     /// The number of numbered figures.
@@ -195,6 +190,27 @@ private:
 
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
+
+    /// In a film of very many steps fewer pictures, or none, show how lines grow.
+    static constexpr std::size_t most_growing = 600;
+
+    /// The joined polygons belong to no statement: all of that figure is new.
+    static bool is_all_new(const Step& step) { return step.statements.empty(); }
+    Grows growth_on(std::size_t page, bool all) const {
+        return [this, page, all](StatementIndex statement) {
+            return all || (statement != none && at_index(statement) < page_of_.size() &&
+                           page_of_[at_index(statement)] == page);
+        };
+    }
+    /// Whether enough is drawn on the page to be seen growing.
+    bool grows(std::size_t index) {
+        constexpr double least = 5;  // mm
+        const Step& step = steps_[index];
+        const Grows new_here = growth_on(index, false);
+        return length_that_grows(large(step.figure).figure.marks, growth_on(index, is_all_new(step))) +
+                   length_that_grows(small(step).marks, new_here) >
+               least;
+    }
 
     // --- statements and pages
 
@@ -222,9 +238,12 @@ private:
     /// section, or the page after it if it begins the section.
     void add(StatementIndex index, FigureId figure) {
         const Statement& statement = this->statement(index);
-        auto [rows, height] = prose_.rows_of(index);
-        Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence),
-                  false};
+        Step step{figure, statement.section, {index}, {}, 0, names_a_pair(statement.message.sentence), false};
+        StepProse& prose = prose_on(step);
+        StepRows said = prose.rows_of(index);
+        step.rows = std::move(said.rows);
+        step.height = said.height;
+        const double height = step.height;
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
                      !contents.found(names_cited(solution_, {index}, context_.language)).empty();
@@ -232,7 +251,7 @@ private:
         const bool begins = statement.message.sentence == lang::sentences::superposition ||
                             statement.message.sentence == lang::sentences::superposition_next;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
-            steps_.back().height + height > prose_.room()) {
+            steps_.back().height + height > prose_on(steps_.back()).room()) {
             steps_.push_back(std::move(step));
             return;
         }
@@ -252,21 +271,48 @@ private:
                            std::make_move_iterator(step.rows.end()));
     }
 
+    StepProse& prose_on(const Step& step) { return small(step).marks.empty() ? tall_prose_ : prose_; }
+
     // --- figures
 
+    /// How much of the height that a figure leaves is above it.
+    double share_above() const { return format_.is_slide ? 0.5 : 0.3; }
+
+    /// The scale that the file gives, in units of the figure's per mm.
+    std::optional<double> scale_in_file(FigureId id) const {
+        const bool is_of_forces = id == FigureId{FigureKind::forces};
+        const auto index = wanted_.named(id);
+        if (index && !is_of_forces) return wanted_.list[*index].asked;
+        auto asked = asked_scale(solution_.mechanism, is_of_forces ? id.kind : FigureKind::mechanism);
+        if (asked && is_of_forces) *asked /= solution_.mechanism.units.force.si.to_double();
+        return asked;
+    }
     Figure draw(FigureId id, const DrawingContext& context, double room_x, double room_y) {
-        if (id == FigureId{FigureKind::forces}) {
-            auto asked = asked_scale(solution_.mechanism, id.kind);
-            if (asked) *asked /= solution_.mechanism.units.force.si.to_double();
-            return force_polygons_figure(context, room_x, room_y, {0, asked}, false);
-        }
+        return draw(id, context, room_x, room_y, scale_in_file(id));
+    }
+    Figure draw(FigureId id, const DrawingContext& context, double room_x, double room_y, std::optional<double> asked) {
+        const ScaleWish wish{0, asked};
+        if (id == FigureId{FigureKind::forces}) return force_polygons_figure(context, room_x, room_y, wish, false);
         if (id.kind == FigureKind::omega || id.kind == FigureKind::alpha)
             return mechanism_with_turnings(
                 context, id.kind == FigureKind::omega ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x, room_y);
-        if (const auto index = wanted_.named(id)) return wanted_.draw_in(*index, {room_x, room_y});
-        const ScaleWish wish{0, asked_scale(solution_.mechanism, FigureKind::mechanism)};
+        if (const auto index = wanted_.named(id)) return wanted_.draw(*index, {room_x, room_y}, wish);
         if (solution_.instantaneous_motion) return instantaneous_motion_figure(context, room_x, room_y, wish);
         return mechanism_figure(context, room_x, room_y, false, wish);
+    }
+
+    /// On a slide no ruler is laid: there the scale is that of a finer series, at which the figure fills its room best.
+    Figure draw_large(FigureId id, double room_x, double room_y) {
+        Figure figure = draw(id, context_, room_x, room_y);
+        if (!format_.is_slide || !figure.has_scale || !(figure.scale > 0) || scale_in_file(id)) return figure;
+        const double larger = std::min(room_x / figure.box.width(), room_y / figure.box.height());
+        for (const double scale : scales_between(figure.scale / larger, figure.scale)) {
+            Figure filling = draw(id, context_, room_x, room_y, scale);
+            const bool shows_as_much =
+                plain(filling.caption) == plain(figure.caption) && filling.unnamed.size() <= figure.unnamed.size();
+            if (filling.scale == scale && shows_as_much) return filling;
+        }
+        return figure;
     }
 
     const Placed& large(FigureId id) {
@@ -274,14 +320,15 @@ private:
         Placed& placed = found->second;
         if (!fresh) return placed;
         Box room = rooms_.large;
-        room.min.y += 12;
-        placed.figure = draw(id, context_, room.width(), room.height());
+        room.min.y += below_caption;
+        placed.figure = draw_large(id, room.width(), room.height());
         const int number = static_cast<int>(large_figures_.size());
-        room.min.y = rooms_.large.min.y + std::max(12.0, set_caption(placed.caption, context_, placed.figure, number,
-                                                                     rooms_.large.min, rooms_.large.width()));
+        room.min.y =
+            rooms_.large.min.y + std::max(below_caption, set_caption(placed.caption, beside_context_, placed.figure,
+                                                                     number, rooms_.large.min, rooms_.large.width()));
         const Box box = placed.figure.box;
         placed.figure.move(room.min.x - box.min.x + 0.5 * (room.width() - box.width()),
-                           room.min.y - box.min.y + 0.3 * std::max(0.0, room.height() - box.height()));
+                           room.min.y - box.min.y + share_above() * std::max(0.0, room.height() - box.height()));
         return placed;
     }
 
@@ -309,7 +356,7 @@ private:
         if (id->kind != FigureKind::circle_diagram)
             figure = draw(*id, beside_context_, rooms_.small.width(), rooms_.small.height());
         else if (solution_.mechanism.bodies.size() >= 3)
-            figure = circle_diagram(context_, rooms_.small.width(), rooms_.small.height());
+            figure = circle_diagram(beside_context_, rooms_.small.width(), rooms_.small.height());
         // Beside the figure of a slide there is room for less: what is larger is left out.
         constexpr double nearly = 1;  // mm
         if (format_.is_slide && (figure.box.width() > rooms_.small.width() + nearly ||
@@ -320,7 +367,8 @@ private:
         return figure;
     }
 
-    Page page(std::size_t index) {
+    /// `share`: of the lines that are new on the page, how much is drawn.
+    Page page(std::size_t index, double share) {
         const Step& step = steps_[index];
         const Theme& theme = context_.theme;
         const Placed& placed = large(step.figure);
@@ -344,10 +392,11 @@ private:
         std::vector<Mark> marks = placed.caption;
         std::optional<double> scale_of_mechanism;
         for (const Figure* figure : {&placed.figure, &beside}) {
-            // The joined polygons belong to no statement: all of that figure is new.
-            const bool all_new = figure == &placed.figure && step.statements.empty();
+            const bool all_new = figure == &placed.figure && is_all_new(step);
+            const std::vector<Mark> drawn =
+                share < 1 ? grown(figure->marks, growth_on(index, all_new), share) : figure->marks;
             std::vector<Mark> shown =
-                revealed(figure->marks, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
+                revealed(drawn, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
             if (figure->traits.measured == QuantityKind::length && !scale_of_mechanism)
                 scale_of_mechanism = figure->scale;
@@ -355,12 +404,14 @@ private:
         marks.insert(marks.end(), segments.begin(), segments.end());
         Page said;
         if (!step.rows.empty())
-            prose_.set(said, heading_of(step), step.rows, placed.figure.id + " " + beside.id, with_sentences_);
+            prose_on(step).set(said, heading_of(step), step.rows, placed.figure.id + " " + beside.id, with_sentences_);
         marks.insert(marks.end(), std::make_move_iterator(said.marks.begin()),
                      std::make_move_iterator(said.marks.end()));
         Page page = framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
                                 steps_.size() + after_);
         page.step = std::move(said.step);
+        if (share < 1 && !page.step) page.step.emplace();
+        if (share < 1) page.step->grows = true;
         return page;
     }
     /// The same, with the names used in figures for the loads of one body alone.
@@ -378,17 +429,18 @@ private:
         return word(steps_heading(step.section), context_.language);
     }
 
-    DrawingContext context_;
-    const Solution& solution_;
     SheetFormat format_;
+    Theme theme_;
+    DrawingContext context_, beside_context_;
+    const Solution& solution_;
     Signature signature_;
     std::size_t after_;  // pages bound behind these
     WantedFigures wanted_;
     StatementFigures shown_by_;
     bool with_sentences_;
-    DrawingContext beside_context_;
+    int growing_;  // pictures before a page, in which its lines grow
     StepRooms rooms_;
-    StepProse prose_;
+    StepProse prose_, tall_prose_;
     std::vector<Step> steps_;
     std::vector<std::size_t> page_of_;  // by statement
     std::map<FigureId, Placed> large_figures_;

@@ -2,8 +2,10 @@
 // stands in for ffmpeg: what it makes is the concern of tests/media.
 #include <gtest/gtest.h>
 
-#include <cctype>
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/support/command_line.hpp"
 
@@ -46,15 +48,35 @@ TEST_F(FilmFiles, HaveTheSlidesAsLongAsTheyAreRead) {
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_EQ(contents(folder_ / "a.mp4"), "film");
     EXPECT_FALSE(is_there("a.vtt"));
-    const auto pictures = shots();
-    ASSERT_GT(pictures.size(), 5U);
-    EXPECT_EQ(pictures[0].first, contents(folder_ / "slide.png"));
-    EXPECT_EQ(pictures[1].first, contents(folder_ / "slide-2.png"));
-    for (const auto& [png, frames] : pictures) {
+    std::vector<std::pair<std::string, int>> slides;
+    int growing = 0;
+    for (const auto& [png, frames] : shots()) {
+        growing += frames == 1 ? 1 : 0;
+        if (frames == 1) continue;
+        slides.emplace_back(png, frames + std::exchange(growing, 0));
+    }
+    EXPECT_EQ(growing, 0) << "the last picture stands";
+    ASSERT_GT(slides.size(), 5U);
+    EXPECT_EQ(slides[0].first, contents(folder_ / "slide.png"));
+    EXPECT_EQ(slides[1].first, contents(folder_ / "slide-2.png"));
+    for (const auto& [png, frames] : slides) {
         EXPECT_GE(frames, 20) << "two seconds";
         EXPECT_LE(frames, 150) << "fifteen";
     }
     EXPECT_NE(contents(folder_ / "words").find("-framerate 10 "), std::string::npos);
+}
+
+// A line is not there at once: between two slides the pictures have more and more of what is new.
+TEST_F(FilmFiles, HaveLinesThatGrow) {
+    ASSERT_EQ(film("solve four_bar.json -o a.mp4 --captions none --height 360").status, 0);
+    const auto pictures = shots();
+    int in_a_row = 0, most = 0;
+    for (const auto& [png, frames] : pictures) {
+        in_a_row = frames == 1 ? in_a_row + 1 : 0;
+        most = std::max(most, in_a_row);
+    }
+    EXPECT_GE(most, 5) << "some pictures may be alike";
+    EXPECT_LE(most, 8);
 }
 
 TEST_F(FilmFiles, HaveCaptionsBesideThem) {
@@ -64,7 +86,10 @@ TEST_F(FilmFiles, HaveCaptionsBesideThem) {
     EXPECT_EQ(captions.find("\n\n\n"), std::string::npos);
     std::size_t cues = 0;
     for (std::size_t at = captions.find(" --> "); at != std::string::npos; at = captions.find(" --> ", at + 1)) ++cues;
-    EXPECT_EQ(cues, shots().size()) << "one for each picture";
+    const auto pictures = shots();
+    const auto slides =
+        std::count_if(pictures.begin(), pictures.end(), [](const auto& picture) { return picture.second > 1; });
+    EXPECT_EQ(cues, static_cast<std::size_t>(slides)) << "one for each slide";
     EXPECT_EQ(film("solve four_bar.json -o b.mp4 --captions none").status, 0);
     EXPECT_FALSE(is_there("b.vtt"));
 }
