@@ -43,8 +43,8 @@ protected:
 };
 
 TEST_F(FilmFiles, HaveTheSlidesAsLongAsTheyAreRead) {
-    ASSERT_EQ(run("solve four_bar.json --steps --slides --dpi 160 -o slide.png").status, 0);
-    const Outcome done = film("solve four_bar.json -o a.mp4 --captions burnt");
+    ASSERT_EQ(run("solve four_bar.json --steps --slides --dpi 80 -o slide.png").status, 0);
+    const Outcome done = film("solve four_bar.json -o a.mp4 --captions burnt --height 360");
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_EQ(contents(folder_ / "a.mp4"), "film");
     EXPECT_FALSE(is_there("a.vtt"));
@@ -80,7 +80,7 @@ TEST_F(FilmFiles, HaveLinesThatGrow) {
 }
 
 TEST_F(FilmFiles, HaveCaptionsBesideThem) {
-    ASSERT_EQ(film("solve four_bar.json -o a.mp4 -o a.webm --lang it").status, 0);
+    ASSERT_EQ(film("solve four_bar.json -o a.mp4 -o a.webm --lang it --height 360").status, 0);
     const std::string captions = contents(folder_ / "a.vtt");
     EXPECT_TRUE(captions.starts_with("WEBVTT\n\n1\n00:00:00.000 --> 00:00:")) << captions;
     EXPECT_EQ(captions.find("\n\n\n"), std::string::npos);
@@ -90,7 +90,7 @@ TEST_F(FilmFiles, HaveCaptionsBesideThem) {
     const auto slides =
         std::count_if(pictures.begin(), pictures.end(), [](const auto& picture) { return picture.second > 1; });
     EXPECT_EQ(cues, static_cast<std::size_t>(slides)) << "one for each slide";
-    EXPECT_EQ(film("solve four_bar.json -o b.mp4 --captions none").status, 0);
+    EXPECT_EQ(film("solve four_bar.json -o b.mp4 --captions none --height 360").status, 0);
     EXPECT_FALSE(is_there("b.vtt"));
 }
 
