@@ -5,6 +5,7 @@
 #include <set>
 
 #include "render/backends/backends.hpp"
+#include "render/page/scale.hpp"
 #include "render/sheet/steps.hpp"
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
@@ -39,7 +40,7 @@ TEST_P(Slides, AreCleanAndNothingMoves) {
     const Solution& solution = example(GetParam());
     for (const Language language : {Language::en, Language::de}) {
         const auto pages = lay_out_steps(solution, slides(language), fonts());
-        expect_clean(pages, 4.5, 4.5);  // a margin of 6 mm, which a letter may overhang
+        expect_clean(pages, 4, 4);  // a margin of 6 mm, which the boxes of large letters overhang by less than 2
         std::map<std::string, std::set<std::string>> before;
         std::size_t said = 0;
         for (const Page& page : pages) {
@@ -91,6 +92,60 @@ TEST(SlidesOfTheFourBar, WithoutSentencesTheirWordsAreSaidOnly) {
         ASSERT_TRUE(with[i].step && without[i].step);
         EXPECT_EQ(plain(with[i].step->sentences.front()), plain(without[i].step->sentences.front()));
     }
+}
+
+// Before a slide of a film stand pictures in which its lines grow; the slides themselves stay as they are, and a
+// picture has no letter that its slide has not.
+TEST(SlidesOfTheFourBar, GrowInAFilm) {
+    SheetOptions film = slides();
+    film.growing = 3;
+    const auto still = lay_out_steps(example("four_bar"), slides(), fonts());
+    const auto pages = lay_out_steps(example("four_bar"), film, fonts());
+    std::vector<Page> whole;
+    std::size_t in_a_row = 0, grown = 0;
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        if (!pages[i].step->grows) {
+            whole.push_back(pages[i]);
+            EXPECT_TRUE(in_a_row == 0 || in_a_row == 3) << in_a_row;
+            grown += in_a_row;
+            in_a_row = 0;
+            continue;
+        }
+        ++in_a_row;
+        ASSERT_LT(i + 1, pages.size());
+        const std::set<std::string> now = labels_of(pages[i]), then = labels_of(pages[i + 1]);
+        EXPECT_TRUE(std::includes(then.begin(), then.end(), now.begin(), now.end()));
+        EXPECT_NE(to_svg(pages[i], fonts()), to_svg(pages[i + 1], fonts())) << "a line has grown";
+    }
+    EXPECT_EQ(in_a_row, 0U);
+    EXPECT_GT(grown, 15U);
+    EXPECT_EQ(to_svg(whole, fonts()), to_svg(still, fonts()));
+}
+
+TEST(SlidesOfTheFourBar, GrowInSoManyPicturesAndNoMore) {
+    SheetOptions film = slides();
+    film.growing = 100'000;
+    EXPECT_LE(lay_out_steps(example("four_bar"), film, fonts()).size(), 613U);
+    film.growing = 0;
+    EXPECT_EQ(lay_out_steps(example("four_bar"), film, fonts()).size(), 13U);
+}
+
+// On a slide no ruler is laid: a polygon is drawn larger than at the round scale that a sheet of that room would have.
+TEST(SlidesOfTheFourBar, HaveFiguresThatFillTheirRoom) {
+    const auto pages = lay_out_steps(example("four_bar"), slides(), fonts());
+    EXPECT_TRUE(says(pages, "0.004 m/s"));
+    double widest = 0;
+    for (const Page& page : pages)
+        for (const Mark& mark : page.marks)
+            if (const auto* axis = std::get_if<Axis>(&mark)) widest = std::max(widest, length(axis->tip - axis->tail));
+    EXPECT_GT(widest, 0.55 * 203.2);
+}
+
+TEST(Scale, HasAFinerSeriesBetweenTwoScales) {
+    EXPECT_EQ(scales_between(0.0021, 0.005), (std::vector<double>{0.0025, 0.003, 0.004}));
+    EXPECT_EQ(scales_between(0.7, 1), std::vector<double>{0.8});
+    EXPECT_EQ(scales_between(8, 20), (std::vector<double>{8, 10, 12.5, 15}));
+    EXPECT_TRUE(scales_between(1, 1).empty());
 }
 
 TEST(Beamer, HasAFrameForEachFigureAndAnOverlayForEachStep) {
