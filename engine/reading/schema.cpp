@@ -112,9 +112,10 @@ void write_scale(QuantityKind kind, JsonWriter& json) {
     json.member("pattern", kind == QuantityKind::length ? ratio + "|" + equation : equation);
 }
 
-/// What the row says or, if it says nothing, what the message calls it where it is missing.
+/// What the row says or, if it says nothing, what the message calls it where it is missing; a quantity has a
+/// description of its own.
 std::string said_by(const FormRow& row) {
-    if (!row.says.empty() || row.missing == Key{}) return std::string(row.says);
+    if (!row.says.empty() || row.missing == Key{} || row.value.shape == Shape::quantity) return std::string(row.says);
     std::string text = row.missing.in(Language::en) + ".";
     if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
     return text;

@@ -40,11 +40,11 @@ class FileBuilder:
             es: str = ...) -> Self:
         """Sets 'title'. What the sheet is called.
 
-        en
-        it
-        fr
-        de
-        es"""
+        en: English.
+        it: Italiano.
+        fr: Français.
+        de: Deutsch.
+        es: Español."""
     def units(self, *value: Any, length: str = ..., angle: str = ..., angular_velocity: str = ...,
             velocity: str = ..., acceleration: str = ..., mass: str = ..., force: str = ..., moment: str = ...,
             inertia: str = ..., pressure: str = ...) -> Self:
@@ -81,13 +81,13 @@ class FileBuilder:
             side: Literal['left', 'right', 'behind', 'ahead'] = ...) -> Self:
         """Adds to 'points', under a name. How a point is placed.
 
-        from_: The name of a point.
+        from_: The point from which the distance is taken.
         distance: A length. A bare number is in the unit that "units" sets; a string states its own unit (m, cm,
             mm, in, ft), or is a formula "= …".
         angle: An angle, counter-clockwise positive. A bare number is in the unit that "units" sets; a string
             states its own unit (deg, rad, rev), or is a formula "= …".
         relative_to: The angle counts from this direction instead of +x.
-        to: The name of a point.
+        to: The point towards which it is taken.
         ratio: In lengths of the join from → to; negative allowed.
         meet: The two curves.
         near: Of two intersections, the nearer to this place.
@@ -97,7 +97,7 @@ class FileBuilder:
             label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ...) -> Self:
         """Adds to 'bodies', under a name. A body: the points that move with it, or an object.
 
-        points
+        points: The points that move with it.
         label: A text, or one for each language.
         circle: A disc, a wheel, a pitch circle."""
     def joint(self, *entries: Any, revolute: str = ..., bodies: Sequence[Any] = ..., name: str = ...,
@@ -113,7 +113,7 @@ class FileBuilder:
         bodies: Two bodies or more.
         name: What results and references call the joint; else it goes by its point's name.
         prismatic: The name of a point.
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy].
+        along: The direction of the guide.
         pin_slot: The name of a point.
         arc: The centre of a curved slot.
         rolling: The name of a point.
@@ -136,7 +136,7 @@ class FileBuilder:
             along: Quantity | Sequence[Any] = ...) -> Self:
         """Adds to 'drivers'. A given motion; what is left out is zero.
 
-        body: The name of a body; an integer will do.
+        body: The body that is driven (or give "joint").
         relative_to: The frame if left out.
         omega: An angular velocity, counter-clockwise positive. A bare number is in the unit that "units" sets;
             a string states its own unit (rad/s, rpm, deg/s, rev/s), or is a formula "= …".
@@ -149,8 +149,8 @@ class FileBuilder:
             cm/s, mm/s, in/s, ft/s, km/h), or is a formula "= …".
         acceleration: An acceleration. A bare number is in the unit that "units" sets; a string states its own
             unit (m/s², cm/s², mm/s², in/s², ft/s²), or is a formula "= …".
-        at: The name of a point.
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy]."""
+        at: The point that is driven.
+        along: The direction in which it is driven."""
     def mass(self, name: str | int, *value: Any, mass: Quantity = ..., centre: str = ...,
             inertia: Quantity = ...) -> Self:
         """Adds to 'masses', under a name. Mass, centre of mass and moment of inertia about it.
@@ -171,13 +171,13 @@ class FileBuilder:
             stiffness: Quantity = ..., free_length: Quantity = ..., turned: Quantity = ...) -> Self:
         """Adds to 'loads'. A given force or couple.
 
-        force: A name: no comma, no " on ", no control character.
-        body: The name of a body; an integer will do.
-        at: The name of a point.
-        value
+        force: The force's name (or "couple").
+        body: The body on which it acts.
+        at: The point at which it acts.
+        value: The components [Fx, Fy].
         magnitude: A force. A bare number is in the unit that "units" sets; a string states its own unit (N, kN,
             MN, lbf, kgf), or is a formula "= …".
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy].
+        along: The direction of the force.
         pressure: A pressure. A bare number is in the unit that "units" sets; a string states its own unit (Pa,
             kPa, MPa, GPa, bar, psi), or is a formula "= …".
         area: An area. A bare number is in m²; a string states its own unit (m², cm², mm², in²), or is a formula
@@ -185,11 +185,11 @@ class FileBuilder:
         pin: A hinge, by its name or its point.
         couple: A name: no comma, no " on ", no control character.
         distributed: A name: no comma, no " on ", no control character.
-        from_: The name of a point.
-        to: The name of a point.
-        intensity
+        from_: The point where it begins.
+        to: The point where it ends.
+        intensity: The intensities at both ends, [q0, q1].
         bodies: The two bodies i, j.
-        between: From the first point to the second.
+        between: The two points at which they are pulled.
         spring: A name: no comma, no " on ", no control character.
         stiffness: A force per length. A bare number is in N/m; a string states its own unit (N/m, N/cm, N/mm,
             kN/m, lbf/in, lbf/ft, kgf/m), or is a formula "= …".
@@ -202,11 +202,11 @@ class FileBuilder:
         """Adds to 'effort'. An unknown force or couple that balances.
 
         couple: A name: no comma, no " on ", no control character.
-        body: The name of a body; an integer will do.
+        body: The body on which it acts.
         from_: The body from which it acts; the frame if left out.
-        force: A name: no comma, no " on ", no control character.
-        at: The name of a point.
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy].
+        force: The force's name.
+        at: The point at which it acts.
+        along: The direction of the force.
         joint: The name of a prismatic joint."""
     def motion(self, *value: Any, body: int | str = ..., velocities: Mapping[str, Any] = ...,
             accelerations: Mapping[str, Any] = ..., point: str = ..., x: Quantity = ..., y: Quantity = ...,
@@ -215,7 +215,7 @@ class FileBuilder:
             constants: Mapping[str, Any] = ...) -> Self:
         """Sets 'motion'.
 
-        body: The name of a body; an integer will do.
+        body: The body that moves.
         velocities: Point → [vx, vy] or {"along": X}.
         accelerations: Point → [ax, ay] or {"along": X}.
         point: The point's name. Default: P.
@@ -238,7 +238,7 @@ class FileBuilder:
             solve: bool = ..., cut: Sequence[Any] = ...) -> Self:
         """Adds to 'find'. What to find; without it, all that the data allow.
 
-        relative_motion: The name of a point.
+        relative_motion: The point whose motion is observed.
         observer: A body that carries the observer, or a point with which the observer translates.
         solve: Whether the motion itself is to be found through this observer, on a body.
         cut: Three bars of a truss, each named by its pins, that part it (Ritter)."""
@@ -313,8 +313,8 @@ class FileBuilder:
         """Sets 'impact'. Two rigid bodies that hit each other, in place of joints.
 
         bodies: The two bodies by name.
-        at: A point's name or its coordinates.
-        normal: A direction: an angle from +x, two points (first → second), or a vector [dx, dy].
+        at: The point of impact, a point or [x, y].
+        normal: The direction of the line of impact.
         restitution: From 0 to 1.
         friction: Coefficient of friction. Default: 0."""
     def positions(self, *value: Any) -> Self:
@@ -328,10 +328,10 @@ class FileBuilder:
         """Adds to 'vary', under a name. Parameter → the values that it takes from copy to copy of an exercise
         (kinegraph variants).
 
-        from_
-        to
-        step
-        choose"""
+        from_: The first value (or give "choose").
+        to: The last value.
+        step: From one value to the next.
+        choose: The values."""
     def require(self, *entries: Any) -> Self:
         """Adds to 'require'. Conditions that every copy meets: "omega 3 > 0.2", "vx B between 0.1 m/s and 1 m/s",
         "crank turns fully", "velocity polygon readable"."""
@@ -348,7 +348,7 @@ class FileBuilder:
         """Adds to 'joints'. A slider or sleeve: j carries the guide, which passes through the point along X.
 
         bodies: The two bodies i, j.
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy].
+        along: The direction of the guide.
         name: What results and references call the joint; else it goes by its point's name."""
     def pin_slot(self, pin_slot: Any, *more: Any, bodies: Sequence[Any] = ...,
             along: Quantity | Sequence[Any] = ..., arc: str = ..., name: str = ...) -> Self:
@@ -414,11 +414,11 @@ class FileBuilder:
             intensity: Sequence[Any] = ..., along: Quantity | Sequence[Any] = ...) -> Self:
         """Adds to 'loads'. A load along PQ; its intensity runs straight from q0 at P to q1 at Q.
 
-        body: The name of a body; an integer will do.
-        from_: The name of a point.
-        to: The name of a point.
-        intensity
-        along: A direction: an angle from +x, two points (first → second), or a vector [dx, dy]."""
+        body: The body on which it acts.
+        from_: The point where it begins.
+        to: The point where it ends.
+        intensity: The intensities at both ends, [q0, q1].
+        along: The direction of the load."""
     def spring(self, spring: Any, *more: Any, bodies: Sequence[Any] = ..., between: Sequence[Any] = ...,
             stiffness: Quantity = ..., free_length: Quantity = ..., at: str = ...,
             turned: Quantity = ...) -> Self:
@@ -426,12 +426,12 @@ class FileBuilder:
         its turn against j.
 
         bodies: The two bodies i, j.
-        between: From the first point to the second.
+        between: The two points at which they are pulled.
         stiffness: A force per length. A bare number is in N/m; a string states its own unit (N/m, N/cm, N/mm,
             kN/m, lbf/in, lbf/ft, kgf/m), or is a formula "= …".
         free_length: A length. A bare number is in the unit that "units" sets; a string states its own unit (m,
             cm, mm, in, ft), or is a formula "= …".
-        at: The name of a point.
+        at: The point about which it is wound.
         turned: An angle, counter-clockwise positive. A bare number is in the unit that "units" sets; a string
             states its own unit (deg, rad, rev), or is a formula "= …"."""
     def relative_motion(self, relative_motion: Any, *more: Any, observer: Mapping[str, Any] | int | str = ...,
@@ -446,6 +446,6 @@ class FileBuilder:
             label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ...) -> Self:
         """Adds to 'bodies', under a name. A body: the points that move with it, or an object.
 
-        points
+        points: The points that move with it.
         label: A text, or one for each language.
         circle: A disc, a wheel, a pitch circle."""
