@@ -60,6 +60,22 @@ std::optional<double> number_within(const std::string& text, double least, doubl
     return value;
 }
 
+/// The fault that a validator of ours found. The option parser passes its English text on, behind the option's name.
+std::optional<Words>& own_fault() {
+    static std::optional<Words> fault;
+    return fault;
+}
+std::string fault(Words words) {
+    own_fault() = std::move(words);
+    return in_english(*own_fault());
+}
+/// In every language: our own fault, or what the option parser says.
+Words words_of(const CLI::ParseError& error) {
+    const std::string said = error.what(), own = own_fault() ? in_english(*own_fault()) : "";
+    if (own.empty() || !said.ends_with(own)) return library_message(said, lang::option_parser_section);
+    return Words(said.substr(0, said.size() - own.size())) + *own_fault();
+}
+
 /// A validator for integers from `least` to `most`, digits only. The option parser alone would clamp a number that is
 /// too large, and read an empty text as 0.
 auto whole_number(std::uint64_t least, std::uint64_t most) {
@@ -68,8 +84,8 @@ auto whole_number(std::uint64_t least, std::uint64_t most) {
         const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
         const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
         if (whole && value >= least && value <= most) return std::string();
-        return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " up to " +
-               std::to_string(most);
+        return fault(
+            {lang::command_line::is_not_a_whole_number_from_to, text, std::to_string(least), std::to_string(most)});
     };
 }
 
@@ -83,9 +99,12 @@ std::optional<double> share(const std::string& text) {
     return percent ? std::optional(*percent / 100) : std::nullopt;
 }
 
-/// The requirement that a resolution violates; empty if it is valid.
-std::string resolution_fits(const std::string& text) {
-    return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
+/// A validator for numbers from `least` to `most`.
+auto number_from(int least, int most) {
+    return [least, most](const std::string& text) {
+        if (number_within(text, least, most)) return std::string();
+        return fault({lang::command_line::is_not_a_number_from_to, text, std::to_string(least), std::to_string(most)});
+    };
 }
 
 /// The words that options take, or propose, for completion and manual.
@@ -151,7 +170,7 @@ void add_settings(CLI::App& command, std::vector<ParameterValue>& set) {
         ->check([](const std::string& text) {
             const std::size_t sign = text.find('=');
             const bool whole = sign != std::string::npos && sign > 0 && sign + 1 < text.size();
-            return whole ? std::string() : "\"" + text + "\" is not NAME=VALUE";
+            return whole ? std::string() : fault({lang::command_line::is_not_name_value, text});
         })
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
@@ -275,7 +294,7 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
     add_theme(command, theme);
     command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
-        ->check(resolution_fits)
+        ->check(number_from(20, 1200))
         ->type_name("N")
         ->capture_default_str();
 }
@@ -626,23 +645,20 @@ void add_diff(CLI::App& program, Action& action) {
             "--threshold", [request](const std::string& text) { request->threshold = share(text).value_or(0); },
             "The share of pixels that may differ: 0.005 or 0.5%")
         ->check([](const std::string& text) {
-            return share(text) ? std::string()
-                               : "\"" + text + "\" is not a share: a number from 0 to 1, or from 0% to 100%";
+            return share(text) ? std::string() : fault({lang::command_line::is_not_a_share, text});
         })
         ->type_name("SHARE")
         ->default_str("0");
     command
         ->add_option("--tolerance", request->tolerance,
                      "How far two colours may be apart and count as the same: 0 not at all, 1 as far as any two")
-        ->check([](const std::string& text) {
-            return number_within(text, 0, 1) ? std::string() : "\"" + text + "\" is not a number from 0 to 1";
-        })
+        ->check(number_from(0, 1))
         ->type_name("T")
         ->capture_default_str();
     command
         ->add_option("--dpi", request->dpi,
                      "Resolution at which an SVG is compared, dots per inch, 20 to 1200; else that of the PNG, or 150")
-        ->check(resolution_fits)
+        ->check(number_from(20, 1200))
         ->type_name("N");
     auto language = std::make_shared<std::string>("en");
     add_language(*command, *language, "Language of messages");
@@ -867,9 +883,7 @@ Status run(int count, char** arguments, Language language) {
     } catch (const CLI::ParseError& error) {
         const auto given = program.get_subcommands();
         const std::string command = given.empty() ? "kinegraph" : "kinegraph " + given.front()->get_name();
-        return refuse(
-            {lang::command_line::help_says_more, library_message(error.what(), lang::option_parser_section), command},
-            language);
+        return refuse({lang::command_line::help_says_more, words_of(error), command}, language);
     }
     return action();
 }

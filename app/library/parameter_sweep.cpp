@@ -346,7 +346,7 @@ private:
                         difference_.hold(i, column, row[i], each.numeric, row[0]);
             if (column.kind == Column::Kind::named && solution.problem)
                 for (const ProblemValue& each : solution.problem->values)
-                    if (in_english(each.name) == column.name && each.numeric)
+                    if (each.key == column.name && each.numeric)
                         difference_.hold(i, column, row[i], *each.numeric, row[0]);
         }
     }

@@ -69,8 +69,7 @@ public:
         if (solution_.problem == nullptr) add_transmission_angles();
         if (solution_.problem)
             for (const ProblemValue& each : solution_.problem->values)
-                results_.push_back(
-                    {{Column::Kind::named, {}, in_english(each.name), each.kind}, each.value, each.unit});
+                results_.push_back({{Column::Kind::named, {}, each.key, each.kind}, each.value, each.unit});
         return std::move(results_);
     }
 

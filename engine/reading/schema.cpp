@@ -62,16 +62,27 @@ std::string units_pattern(QuantityKind kind) {
     return in_braces(pattern);
 }
 
-/// "angularVelocity".
-std::string definition_of(QuantityKind kind) {
-    std::string name;
-    bool begins_word = false;
-    for (const char c : in_english(name_of(kind))) {
-        if (c != ' ') name += begins_word && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        begins_word = c == ' ';
-    }
-    return name;
-}
+/// Of the kinds of quantities, in their order: what the definitions are called.
+constexpr std::array definitions{"bareNumber",
+                                 "length",
+                                 "angle",
+                                 "angularVelocity",
+                                 "angularAcceleration",
+                                 "velocity",
+                                 "acceleration",
+                                 "mass",
+                                 "force",
+                                 "moment",
+                                 "momentOfInertia",
+                                 "pressure",
+                                 "time",
+                                 "area",
+                                 "forcePerLength",
+                                 "torsionalStiffness",
+                                 "power",
+                                 "coefficientOfWear"};
+static_assert(definitions.size() == count_of_quantity_kinds);
+std::string definition_of(QuantityKind kind) { return definitions.at(static_cast<std::size_t>(kind)); }
 
 void write_quantity(QuantityKind kind, JsonWriter& json) {
     using enum QuantityKind;

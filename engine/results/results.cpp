@@ -590,8 +590,7 @@ private:
         const std::string kind(solution_.contacts->kind->key);
         for (const SolvedContact& contact : solution_.contacts->at_joints)
             for (const ProblemValue& each : contact.found->values)
-                write_check(kind + " " + mechanism_.joint(contact.joint).name + " " + in_english(each.name), each,
-                            json_);
+                write_check(kind + " " + mechanism_.joint(contact.joint).name + " " + each.key, each, json_);
     }
 
     void unsolved() const {
@@ -629,7 +628,7 @@ void write_problem(const Solution& solution, bool exact, JsonWriter& json) {
     kind.results(solution, exact, json);
     json.key("checks").open('[', on_lines);
     for (const ProblemValue& each : found.values)
-        if (each.numeric) write_check(in_english(each.name), each, json);
+        if (each.numeric) write_check(each.key, each, json);
     json.close().key("unsolved").open('[').close();
     if (!found.remarks.empty()) {
         json.key("remarks").open('[', on_lines);
@@ -643,7 +642,7 @@ void write_problem(const Solution& solution, bool exact, JsonWriter& json) {
 
 void write_values(const ProblemSolution& found, JsonWriter& json) {
     for (const ProblemValue& each : found.values)
-        if (each.in_file) json.member(in_english(each.name), each.value);
+        if (each.in_file) json.member(each.key, each.value);
 }
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {

@@ -15,15 +15,14 @@ namespace kinegraph {
 
 /// One scalar result, for tables, results and checks.
 struct ProblemValue {
-    Words name;          ///< in English the key of the results file
+    std::string key;     ///< in the results file and its checks, and for `ask`: "half width", "velocity 1 x"
+    Words name;          ///< for readers
     std::string symbol;  ///< "p_0", "σ_z": a letter and its subscript
     QuantityKind kind = QuantityKind::dimensionless;
     double value = 0;               ///< SI
     std::optional<double> numeric;  ///< by the check
     bool in_file = true;            ///< false: the results file has a special form for it
     std::string unit{};             ///< SI unit of a value without a kind: "N s", "J"
-    Words spoken{};  ///< on sheets and in tables, where it differs from the name: with a body's label instead of its
-                     ///< key
 };
 
 struct ProblemSolution {

@@ -203,24 +203,30 @@ std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& 
 std::vector<ProblemValue> values_of(const HertzProblem& problem, const HertzSolution& found, const HertzCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values{
-        {{lang::hertz::effective_radius}, "R", length, found.radius, check.radius},
-        {{lang::hertz::effective_modulus}, "E*", pressure, found.modulus, check.modulus},
+        {"effective radius", {lang::hertz::effective_radius}, "R", length, found.radius, check.radius},
+        {"effective modulus", {lang::hertz::effective_modulus}, "E*", pressure, found.modulus, check.modulus},
     };
     if (problem.line) {
-        values.push_back({{lang::hertz::half_width}, "b", length, found.b, check.b});
+        values.push_back({"half width", {lang::hertz::half_width}, "b", length, found.b, check.b});
     } else if (found.elliptic) {
-        values.push_back({{lang::hertz::semi_axis}, "a", length, found.a, check.a});
-        values.push_back({{lang::hertz::semi_axis_b}, "b", length, found.b, check.b});
-        values.push_back(
-            {{lang::hertz::contact_radius}, "c", length, std::sqrt(found.a * found.b), std::sqrt(check.a * check.b)});
+        values.push_back({"semi-axis a", {lang::hertz::semi_axis}, "a", length, found.a, check.a});
+        values.push_back({"semi-axis b", {lang::hertz::semi_axis_b}, "b", length, found.b, check.b});
+        values.push_back({"contact radius",
+                          {lang::hertz::contact_radius},
+                          "c",
+                          length,
+                          std::sqrt(found.a * found.b),
+                          std::sqrt(check.a * check.b)});
     } else {
-        values.push_back({{lang::hertz::contact_radius}, "a", length, found.a, check.a});
+        values.push_back({"contact radius", {lang::hertz::contact_radius}, "a", length, found.a, check.a});
     }
-    values.push_back({{lang::hertz::mean_pressure}, "p_m", pressure, found.mean, check.mean});
-    values.push_back({{lang::common::greatest_pressure}, "p_0", pressure, found.greatest, check.greatest});
-    values.push_back({{lang::hertz::approach}, "δ", length, found.approach, check.approach});
-    values.push_back({{lang::hertz::greatest_shear}, "τ_max", pressure, found.shear, check.shear});
-    values.push_back({{lang::hertz::depth_of_greatest_shear}, "z_τ", length, found.depth, check.depth});
+    values.push_back({"mean pressure", {lang::hertz::mean_pressure}, "p_m", pressure, found.mean, check.mean});
+    values.push_back(
+        {"greatest pressure", {lang::common::greatest_pressure}, "p_0", pressure, found.greatest, check.greatest});
+    values.push_back({"approach", {lang::hertz::approach}, "δ", length, found.approach, check.approach});
+    values.push_back({"greatest shear", {lang::hertz::greatest_shear}, "τ_max", pressure, found.shear, check.shear});
+    values.push_back(
+        {"depth of greatest shear", {lang::hertz::depth_of_greatest_shear}, "z_τ", length, found.depth, check.depth});
     return values;
 }
 

@@ -216,41 +216,41 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
                                     const Mechanism& mechanism) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    const auto add = [&](Words name, std::string symbol, QuantityKind kind, const Exact& value,
+    const auto add = [&](std::string key, Words name, std::string symbol, QuantityKind kind, const Exact& value,
                          std::optional<double> numeric, const char* unit = "") {
-        values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit, {}});
+        values.push_back(
+            {std::move(key), std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit});
     };
-    // With their keys in the results file; the names for readers include the body, and "after the impact".
     const Words first = called(mechanism.body(problem.bodies[0].body));
-    add({lang::impact::impulse_x}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
-    values.back().spoken = Words(lang::impact::impulse_received_along_x, first);
-    add({lang::impact::impulse_y}, "J_y", dimensionless, found.impulse.y, check.impulse[1], "N s");
-    values.back().spoken = Words(lang::impact::impulse_received_along_y, first);
+    add("impulse x", {lang::impact::impulse_received_along_x, first}, "J_x", dimensionless, found.impulse.x,
+        check.impulse[0], "N s");
+    add("impulse y", {lang::impact::impulse_received_along_y, first}, "J_y", dimensionless, found.impulse.y,
+        check.impulse[1], "N s");
     for (std::size_t i = 0; i < 2; ++i) {
         const ImpactSolution::Body& body = found.bodies.at(i);
         const ImpactCheck::Body& checked = check.bodies.at(i);
         if (body.fixed) continue;
         const kinegraph::Body& given = mechanism.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        const auto add_of = [&](Key key, Key spoken, std::string symbol, QuantityKind kind, const Exact& value,
-                                double numeric, const char* unit = "") {
-            add(Words(key, given.name), std::move(symbol), kind, value, numeric, unit);
-            values.back().spoken = Words(spoken, called(given));
+        const auto add_of = [&](const std::string& of, const char* axis, Key name, std::string symbol,
+                                QuantityKind kind, const Exact& value, double numeric, const char* unit = "") {
+            add(of + " " + given.name + axis, Words(name, called(given)), std::move(symbol), kind, value, numeric,
+                unit);
         };
-        add_of(lang::impact::velocity_x, lang::impact::velocity_afterwards_along_x, "v′_" + n + "x", velocity,
-               body.after.x, checked.velocity[0]);
-        add_of(lang::impact::velocity_y, lang::impact::velocity_afterwards_along_y, "v′_" + n + "y", velocity,
-               body.after.y, checked.velocity[1]);
+        add_of("velocity", " x", lang::impact::velocity_afterwards_along_x, "v′_" + n + "x", velocity, body.after.x,
+               checked.velocity[0]);
+        add_of("velocity", " y", lang::impact::velocity_afterwards_along_y, "v′_" + n + "y", velocity, body.after.y,
+               checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
-            add_of(lang::impact::angular_velocity, lang::impact::angular_velocity_afterwards, "ω′_" + n,
-                   angular_velocity, body.omega_after, checked.omega);
+            add_of("angular velocity", "", lang::impact::angular_velocity_afterwards, "ω′_" + n, angular_velocity,
+                   body.omega_after, checked.omega);
         if (!body.reaction) continue;
-        add_of(lang::impact::pivot_x, lang::impact::impulse_of_the_pivot_along_x, "R_" + n + "x", dimensionless,
+        add_of("pivot", " x", lang::impact::impulse_of_the_pivot_along_x, "R_" + n + "x", dimensionless,
                body.reaction->x, checked.reaction[0], "N s");
-        add_of(lang::impact::pivot_y, lang::impact::impulse_of_the_pivot_along_y, "R_" + n + "y", dimensionless,
+        add_of("pivot", " y", lang::impact::impulse_of_the_pivot_along_y, "R_" + n + "y", dimensionless,
                body.reaction->y, checked.reaction[1], "N s");
     }
-    add({lang::impact::energy_lost}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
+    add("energy lost", {lang::impact::energy_lost}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
     return values;
 }
 

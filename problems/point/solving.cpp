@@ -487,40 +487,46 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
                                     const PointCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    const auto add = [&](Words name, const char* symbol, QuantityKind kind, double value, double numeric) {
-        values.push_back({std::move(name), symbol, kind, value, numeric, false});
+    const auto add = [&](const char* key, Words name, const char* symbol, QuantityKind kind, double value,
+                         double numeric) {
+        values.push_back({key, std::move(name), symbol, kind, value, numeric, false});
     };
     const auto both = [](const Vector& v) { return VectorOf<double>{v.x.to_double(), v.y.to_double()}; };
     const VectorOf<double> place = both(found.place), v = both(found.velocity), a = both(found.acceleration);
-    add(std::string("x"), "x", length, place.x, check.place.x);
-    values.back().spoken = {lang::point_motion::abscissa};
-    add(std::string("y"), "y", length, place.y, check.place.y);
-    values.back().spoken = {lang::point_motion::ordinate};
-    add({lang::point_motion::way}, "s", length, found.way, check.way);
-    add({lang::point_motion::velocity_x}, "v_x", velocity, v.x, check.velocity.x);
-    add({lang::point_motion::velocity_y}, "v_y", velocity, v.y, check.velocity.y);
-    add({lang::point_motion::speed}, "v", velocity, found.speed, check.speed);
-    add({lang::point_motion::acceleration_x}, "a_x", acceleration, a.x, check.acceleration.x);
-    add({lang::point_motion::acceleration_y}, "a_y", acceleration, a.y, check.acceleration.y);
-    add({lang::point_motion::acceleration}, "a", acceleration, found.acceleration_length, check.acceleration_length);
+    add("x", {lang::point_motion::abscissa}, "x", length, place.x, check.place.x);
+    add("y", {lang::point_motion::ordinate}, "y", length, place.y, check.place.y);
+    add("way", {lang::point_motion::way}, "s", length, found.way, check.way);
+    add("velocity x", {lang::point_motion::velocity_x}, "v_x", velocity, v.x, check.velocity.x);
+    add("velocity y", {lang::point_motion::velocity_y}, "v_y", velocity, v.y, check.velocity.y);
+    add("speed", {lang::point_motion::speed}, "v", velocity, found.speed, check.speed);
+    add("acceleration x", {lang::point_motion::acceleration_x}, "a_x", acceleration, a.x, check.acceleration.x);
+    add("acceleration y", {lang::point_motion::acceleration_y}, "a_y", acceleration, a.y, check.acceleration.y);
+    add("acceleration", {lang::point_motion::acceleration}, "a", acceleration, found.acceleration_length,
+        check.acceleration_length);
     if (!found.rests) {
-        add({lang::point_motion::tangential_acceleration}, "a_t", acceleration, found.along, check.along);
-        add({lang::point_motion::normal_acceleration}, "a_n", acceleration, found.across, check.across);
+        add("tangential acceleration", {lang::point_motion::tangential_acceleration}, "a_t", acceleration, found.along,
+            check.along);
+        add("normal acceleration", {lang::point_motion::normal_acceleration}, "a_n", acceleration, found.across,
+            check.across);
     }
     if (found.centre) {
-        add({lang::point_motion::radius_of_curvature}, "ρ", length, found.radius, check.radius);
-        add({lang::point_motion::centre_of_curvature_x}, "x_C", length, found.centre->x.to_double(), check.centre.x);
-        add({lang::point_motion::centre_of_curvature_y}, "y_C", length, found.centre->y.to_double(), check.centre.y);
+        add("radius of curvature", {lang::point_motion::radius_of_curvature}, "ρ", length, found.radius, check.radius);
+        add("centre of curvature x", {lang::point_motion::centre_of_curvature_x}, "x_C", length,
+            found.centre->x.to_double(), check.centre.x);
+        add("centre of curvature y", {lang::point_motion::centre_of_curvature_y}, "y_C", length,
+            found.centre->y.to_double(), check.centre.y);
     }
-    add({lang::point_motion::radius}, "r", length, found.r, check.r);
+    add("radius", {lang::point_motion::radius}, "r", length, found.r, check.r);
     if (found.at_pole) return values;
-    add({lang::point_motion::angle}, "θ", angle, found.theta, check.theta);
-    add({lang::point_motion::radial_velocity}, "v_r", velocity, found.polar_velocity[0], check.polar_velocity[0]);
-    add({lang::point_motion::transverse_velocity}, "v_θ", velocity, found.polar_velocity[1], check.polar_velocity[1]);
-    add({lang::point_motion::radial_acceleration}, "a_r", acceleration, found.polar_acceleration[0],
-        check.polar_acceleration[0]);
-    add({lang::point_motion::transverse_acceleration}, "a_θ", acceleration, found.polar_acceleration[1],
-        check.polar_acceleration[1]);
+    add("angle", {lang::point_motion::angle}, "θ", angle, found.theta, check.theta);
+    add("radial velocity", {lang::point_motion::radial_velocity}, "v_r", velocity, found.polar_velocity[0],
+        check.polar_velocity[0]);
+    add("transverse velocity", {lang::point_motion::transverse_velocity}, "v_θ", velocity, found.polar_velocity[1],
+        check.polar_velocity[1]);
+    add("radial acceleration", {lang::point_motion::radial_acceleration}, "a_r", acceleration,
+        found.polar_acceleration[0], check.polar_acceleration[0]);
+    add("transverse acceleration", {lang::point_motion::transverse_acceleration}, "a_θ", acceleration,
+        found.polar_acceleration[1], check.polar_acceleration[1]);
     (void)problem;
     return values;
 }

@@ -166,33 +166,36 @@ std::string both_of(const Displacement& displacement) {
 std::vector<ProblemValue> values_of(const PositionsProblem& problem, const PositionsSolution& found) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    const auto add = [&](Words name, const std::string& symbol, QuantityKind kind, double value, double numeric) {
-        values.push_back({std::move(name), symbol, kind, value, numeric, false});
+    const auto add = [&](std::string key, Words name, const std::string& symbol, QuantityKind kind, double value,
+                         double numeric) {
+        values.push_back({std::move(key), std::move(name), symbol, kind, value, numeric, false});
     };
     for (const Displacement& each : found.displacements) {
         const DisplacementCheck check = check_displacement(problem, each.from, each.to);
         const std::string both = both_of(each);
         if (each.kind == Displacement::Kind::translation) {
-            add({lang::finite_positions::translation_x, both}, "d_" + both + "x", length, each.way.x.to_double(),
-                check.way.x);
-            add({lang::finite_positions::translation_y, both}, "d_" + both + "y", length, each.way.y.to_double(),
-                check.way.y);
+            add("translation " + both + " x", {lang::finite_positions::translation_x, both}, "d_" + both + "x", length,
+                each.way.x.to_double(), check.way.x);
+            add("translation " + both + " y", {lang::finite_positions::translation_y, both}, "d_" + both + "y", length,
+                each.way.y.to_double(), check.way.y);
         }
         if (!each.pole) continue;
-        add({lang::finite_positions::pole_x, both}, "x_P" + both, length, each.pole->x.to_double(), check.pole.x);
-        add({lang::finite_positions::pole_y, both}, "y_P" + both, length, each.pole->y.to_double(), check.pole.y);
-        add({lang::finite_positions::angle, both}, "φ_" + both, angle, each.angle, check.angle);
+        add("pole " + both + " x", {lang::finite_positions::pole_x, both}, "x_P" + both, length,
+            each.pole->x.to_double(), check.pole.x);
+        add("pole " + both + " y", {lang::finite_positions::pole_y, both}, "y_P" + both, length,
+            each.pole->y.to_double(), check.pole.y);
+        add("angle " + both, {lang::finite_positions::angle, both}, "φ_" + both, angle, each.angle, check.angle);
     }
     for (std::size_t i = 0; i < found.pivots.size(); ++i) {
         const FixedPivot& pivot = found.pivots[i];
         if (!pivot.centre) continue;
         const auto [centre, radius] = check_pivot(problem, i);
         const std::string& point = problem.points.at(i);
-        add({lang::finite_positions::pivot_x, point}, "x_" + point + "0", length, pivot.centre->x.to_double(),
-            centre.x);
-        add({lang::finite_positions::pivot_y, point}, "y_" + point + "0", length, pivot.centre->y.to_double(),
-            centre.y);
-        add({lang::finite_positions::crank, point}, "r_" + point, length, pivot.radius, radius);
+        add("pivot " + point + " x", {lang::finite_positions::pivot_x, point}, "x_" + point + "0", length,
+            pivot.centre->x.to_double(), centre.x);
+        add("pivot " + point + " y", {lang::finite_positions::pivot_y, point}, "y_" + point + "0", length,
+            pivot.centre->y.to_double(), centre.y);
+        add("crank " + point, {lang::finite_positions::crank, point}, "r_" + point, length, pivot.radius, radius);
     }
     return values;
 }

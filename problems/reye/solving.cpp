@@ -150,51 +150,51 @@ std::array<Words, 2> ends_of(Kind kind) {
 std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSolution& found, const ReyeCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    const auto add = [&](Words name, const char* symbol, QuantityKind kind, double value, double numeric, Words spoken,
-                         bool in_file = true) {
-        values.push_back({std::move(name), symbol, kind, value, numeric, in_file, "", std::move(spoken)});
+    const auto add = [&](const char* key, Words name, const char* symbol, QuantityKind kind, double value,
+                         double numeric, bool in_file = true) {
+        values.push_back({key, std::move(name), symbol, kind, value, numeric, in_file});
     };
     const std::array<Words, 2> ends = ends_of(problem.kind);
     const auto at_end = [&](std::size_t end, Key key) { return Words(key, ends.at(end)); };
-    add({lang::reye::pressure_1}, "p_1", pressure, found.first, check.first, at_end(0, lang::reye::pressure), false);
-    add(lang::reye::pressure_2, "p_2", pressure, found.second, check.second, at_end(1, lang::reye::pressure), false);
+    add("pressure 1", at_end(0, lang::reye::pressure), "p_1", pressure, found.first, check.first, false);
+    add("pressure 2", at_end(1, lang::reye::pressure), "p_2", pressure, found.second, check.second, false);
     if (problem.kind == Kind::shoe)
-        add({lang::common::greatest_pressure}, "p_max", pressure, found.greatest, check.greatest, {});
+        add("greatest pressure", {lang::common::greatest_pressure}, "p_max", pressure, found.greatest, check.greatest);
     if (problem.kind == Kind::pad && found.m)
-        add(Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1,
-            {lang::reye::relative_gain_in_pressure_from_end});
+        add("m", {lang::reye::relative_gain_in_pressure_from_end}, "m", dimensionless, found.m->to_double(),
+            check.second / check.first - 1);
     if (found.resultant)
-        add({lang::reye::resultant_at}, "x_R", length, found.resultant->to_double(), check.resultant,
-            {lang::reye::place_x_of_the_resultant});
+        add("resultant at", {lang::reye::place_x_of_the_resultant}, "x_R", length, found.resultant->to_double(),
+            check.resultant);
     if (found.lifts) {
-        add({lang::reye::contact_from}, "x_1", length, found.begin, check.begin, {});
-        add({lang::reye::contact_to}, "x_2", length, found.end, check.end, {});
+        add("contact from", {lang::reye::contact_from}, "x_1", length, found.begin, check.begin);
+        add("contact to", {lang::reye::contact_to}, "x_2", length, found.end, check.end);
     }
-    if (found.friction_force) add({lang::reye::friction_force}, "T", force, *found.friction_force, check.friction, {});
+    if (found.friction_force)
+        add("friction force", {lang::reye::friction_force}, "T", force, *found.friction_force, check.friction);
     if (found.torque)
-        add({lang::reye::torque}, "M", moment, *found.torque, check.torque,
+        add("torque",
             problem.kind == Kind::disc ? Words(lang::reye::torque_when_worn_in_reye)
-                                       : Words(lang::reye::torque_on_the_drum));
+                                       : Words(lang::reye::torque_on_the_drum),
+            "M", moment, *found.torque, check.torque);
     if (found.uniform_torque) {
-        add({lang::reye::uniform_pressure}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure,
-            {lang::reye::pressure_when_new_uniform});
-        add({lang::reye::torque_at_uniform_pressure}, "M_u", moment, *found.uniform_torque, check.uniform_torque,
-            {lang::reye::torque_when_new_at_uniform_pressure});
+        add("uniform pressure", {lang::reye::pressure_when_new_uniform}, "p_u", pressure, *found.uniform_pressure,
+            check.uniform_pressure);
+        add("torque at uniform pressure", {lang::reye::torque_when_new_at_uniform_pressure}, "M_u", moment,
+            *found.uniform_torque, check.uniform_torque);
     }
     if (problem.kind == Kind::shoe) {
-        add({lang::reye::normal_force}, "N", force, nearest::hypot(found.normal_force.x, found.normal_force.y),
-            check.normal, {lang::reye::resultant_of_the_pressures});
-        add({lang::reye::centre_of_pressure}, "r_C", length, found.pressure_radius, check.pressure_radius,
-            {lang::reye::distance_of_the_centre_of_pressure});
+        add("normal force", {lang::reye::resultant_of_the_pressures}, "N", force,
+            nearest::hypot(found.normal_force.x, found.normal_force.y), check.normal);
+        add("centre of pressure", {lang::reye::distance_of_the_centre_of_pressure}, "r_C", length,
+            found.pressure_radius, check.pressure_radius);
         if (problem.leading && found.locking_friction)
-            add({lang::reye::locking_friction}, "f_lim", dimensionless, *found.locking_friction, check.locking,
-                {lang::reye::friction_from_which_the_shoe_locks});
+            add("locking friction", {lang::reye::friction_from_which_the_shoe_locks}, "f_lim", dimensionless,
+                *found.locking_friction, check.locking);
     }
     if (found.worn) {
-        add({lang::reye::worn_1}, "h_1", length, (*found.worn)[0], check.worn[0], at_end(0, lang::reye::depth_worn_off),
-            false);
-        add({lang::reye::worn_2}, "h_2", length, (*found.worn)[1], check.worn[1], at_end(1, lang::reye::depth_worn_off),
-            false);
+        add("worn 1", at_end(0, lang::reye::depth_worn_off), "h_1", length, (*found.worn)[0], check.worn[0], false);
+        add("worn 2", at_end(1, lang::reye::depth_worn_off), "h_2", length, (*found.worn)[1], check.worn[1], false);
     }
     return values;
 }

@@ -284,26 +284,8 @@ private:
         return text;
     }
     RichText axes_words() const {
-        RichText text;
-        const std::string words =
-            word(has_forces(solution_) && !has_motion(solution_) ? lang::sheet::axes_forces : lang::sheet::axes,
-                 context_.language);
-        std::string plain_part;
-        for (std::size_t i = 0; i < words.size();) {
-            const std::string_view rest = std::string_view(words).substr(i);
-            const bool omega = rest.starts_with("ω"), alpha = rest.starts_with("α");
-            if (omega || alpha) {
-                append(text, one_piece(plain_part));
-                plain_part.clear();
-                append(text, typeset(Symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha, "", ""},
-                                     context_.language));
-                i += 2;
-            } else {
-                plain_part += words[i++];
-            }
-        }
-        append(text, one_piece(plain_part));
-        return text;
+        const Key axes = has_forces(solution_) && !has_motion(solution_) ? lang::sheet::axes_forces : lang::sheet::axes;
+        return render::say({axes, {}}, context_.language);
     }
 
     static constexpr double indent = 6;            // of a sentence, for its number

@@ -130,10 +130,9 @@ private:
     AskedText asked_of_problem(const Column& column) const {
         AskedText text;
         for (const ProblemValue& each : solution_.problem->values) {
-            if (in_english(each.name) != column.name) continue;
+            if (each.key != column.name) continue;
             text.symbol = symbol_of(each.symbol);
-            const Words& spoken = each.spoken.empty() ? each.name : each.spoken;
-            text.words = one_piece(in(spoken, language()));
+            text.words = one_piece(in(each.name, language()));
         }
         // An expression of such values.
         if (text.words.empty()) text.symbol = text.words = plain_words(column.name);

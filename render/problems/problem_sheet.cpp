@@ -55,8 +55,6 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
     return cells;
 }
 
-const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
-
 const Words& head_of(std::size_t column) {
     static const std::array<Words, 4> heads{Words(lang::common::quantity), Words(lang::problems::found),
                                             Words(lang::problems::check), Words(lang::problems::difference)};
@@ -88,7 +86,7 @@ protected:
     /// Whether the value is asked for. True for all values if the file names none.
     bool is_sought(const ProblemValue& value) const {
         const auto& asked = asked_of(context_.solution.mechanism);
-        const auto is_it = [&](const AskedResult& other) { return other.name == in_english(value.name); };
+        const auto is_it = [&](const AskedResult& other) { return other.name == value.key; };
         return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
     }
     static void add(std::vector<Item>& to, std::vector<Item> more) {
@@ -162,7 +160,7 @@ protected:
         for (const ProblemValue& each : context_.solution.problem->values) {
             const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
             RichText name = symbol_of(each.symbol);
-            append(name, one_piece("  " + say(spoken(each))));
+            append(name, one_piece("  " + say(each.name)));
             row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)},
                 context_.theme.text);
         }
@@ -186,7 +184,7 @@ protected:
             Formula symbol;
             symbol.kind = Formula::Kind::text;
             symbol.text = symbol_of(each.symbol);
-            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
+            rows.push_back({std::move(symbol), Formula::upright(say(each.name)), Formula::upright(cells.found)});
         }
         const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
         NaturalBlocks natural;
@@ -301,7 +299,7 @@ public:
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
-            sought.sentences.push_back(formula_words("– " + symbol + "  {0}", {spoken(each)}));
+            sought.sentences.push_back(formula_words("– " + symbol + "  {0}", {each.name}));
         }
         sections_ = {std::move(given), std::move(sought)};
         constexpr double height = 86;
@@ -552,7 +550,7 @@ std::string problem_table(const Solution& solution, Language language) {
         {in(head_of(0), language), in(head_of(1), language), in(head_of(2), language), in(head_of(3), language)}};
     for (const ProblemValue& each : solution.problem->values) {
         const ResultCells cells = cells_of(each, solution.problem->values, solution.mechanism.units, language);
-        rows.push_back({each.symbol + "  " + in(spoken(each), language), cells.found, cells.numeric, cells.difference});
+        rows.push_back({each.symbol + "  " + in(each.name, language), cells.found, cells.numeric, cells.difference});
     }
     std::array<std::size_t, 4> widths{};
     for (const auto& row : rows)

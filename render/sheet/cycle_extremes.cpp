@@ -152,12 +152,7 @@ private:
         if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words(lang::sheet::largest_speed), *fastest);
         if (const auto hardest = largest_of_points(Kind::acceleration))
             say(in_words(lang::sheet::largest_acceleration), *hardest);
-        for (const Words& fact : table_.facts) {
-            std::string line = in(fact, context_.language);
-            for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;)
-                line.replace(sign, 2, " −");
-            said.push_back(with_powers(line));
-        }
+        for (const Words& fact : table_.facts) said.push_back(with_powers(in(fact, context_.language)));
         return said;
     }
 

@@ -13,30 +13,6 @@
 namespace kinegraph::render {
 namespace {
 
-/// Typesets F, h, M and ω in a sentence as quantities.
-RichText with_quantities(const std::string& words) {
-    RichText text;
-    std::string rest = words;
-    for (;;) {
-        std::size_t at = std::string::npos;
-        std::string_view met;
-        for (const std::string_view formula : {std::string_view("F·h"), std::string_view("Mω")})
-            if (const std::size_t found = rest.find(formula); found < at) at = found, met = formula;
-        if (at == std::string::npos) break;
-        append(text, one_piece(rest.substr(0, at)));
-        if (met == "Mω") {
-            append(text, one_piece("Mω", Face::italic));
-        } else {
-            append(text, one_piece("F", Face::italic));
-            append(text, one_piece("·"));
-            append(text, one_piece("h", Face::italic));
-        }
-        rest = rest.substr(at + met.size());
-    }
-    append(text, one_piece(rest));
-    return text;
-}
-
 /// Table cells show scalars.
 RichText scalar(RichText text) {
     for (Piece& piece : text)
@@ -90,9 +66,8 @@ public:
         set_line(sum_, baseline + 0.8, theme_.text);
         rule(baseline + 2.5, theme_.outline);
         baseline += 7;
-        const std::string said =
-            word(couples_ ? lang::sheet::lever_with_couples : lang::sheet::lever_of_forces, context_.language);
-        for (ShapedLine& each : context_.fonts.wrap(with_quantities(said), theme_.small, block.width)) {
+        const Message said{couples_ ? lang::sheet::lever_with_couples : lang::sheet::lever_of_forces, {}};
+        for (ShapedLine& each : context_.fonts.wrap(say(said, context_.language), theme_.small, block.width)) {
             set_text(block.marks, std::move(each), {0, baseline}, theme_.secondary, "text");
             baseline += 3.9;
         }

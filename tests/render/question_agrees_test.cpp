@@ -96,7 +96,7 @@ TEST(ImpactQuestion, SaysWhereTheBodiesStrike) {
     EXPECT_TRUE(has(italian, "{!J} agisce su A, −{!J} su B")) << italian;
     for (const ProblemValue& each : solution.problem->values)
         if (each.name.in(Language::en).starts_with("velocity")) {
-            EXPECT_TRUE(has(each.symbol, "′") && has(each.spoken.in(Language::en), "afterwards"))
+            EXPECT_TRUE(has(each.symbol, "′") && has(each.name.in(Language::en), "afterwards"))
                 << each.name.in(Language::en);
         }
 }
@@ -109,9 +109,9 @@ TEST(ReyeQuestion, StatesTheHypothesisAndWhatItsResultsAre) {
     EXPECT_TRUE(has(given_in(disc, Language::it), "ipotesi di Reye; le corone sono rodate"));
     EXPECT_TRUE(has(given_in(disc, Language::en), "Coefficient of wear {k}")) << "depths are sought";
     for (const ProblemValue& each : disc.problem->values) {
-        EXPECT_TRUE(each.symbol != "M" || has(each.spoken.in(Language::en), "worn in"));
-        EXPECT_TRUE(each.symbol != "M_u" || has(each.spoken.in(Language::en), "when new"));
-        EXPECT_TRUE(each.symbol != "p_1" || has(each.spoken.in(Language::it), "al raggio interno"));
+        EXPECT_TRUE(each.symbol != "M" || has(each.name.in(Language::en), "worn in"));
+        EXPECT_TRUE(each.symbol != "M_u" || has(each.name.in(Language::en), "when new"));
+        EXPECT_TRUE(each.symbol != "p_1" || has(each.name.in(Language::it), "al raggio interno"));
     }
     EXPECT_TRUE(has(given_in(example("contact/drum_shoe"), Language::en), "(at {O}, from the direction of the pivot)"));
 }
