@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/commands/cache_record.hpp"
-#include "app/files/json_text.hpp"
 #include "lang/keys/command_line.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/notation.hpp"
@@ -43,19 +42,21 @@ std::vector<Target> files_wanted(const Request& line) {
     return all;
 }
 
-/// ", \"key\": value" of texts; empty if there are none.
-std::string member(std::string_view key, const std::vector<std::string>& texts) {
-    if (texts.empty()) return {};
-    return ", \"" + std::string(key) + "\": " + json_quoted(texts);
+/// Of texts, where there are any.
+void add(JsonLine& to, std::string_view key, const std::vector<std::string>& texts) {
+    if (!texts.empty()) to.add(key, texts);
 }
 
 /// What `solve` would write on standard error.
-std::string said_of(const Outcome& outcome, Language language) {
+JsonLine said_of(const Outcome& outcome, Language language) {
     std::vector<std::string> remarks, unsolved;
     for (const Text& each : outcome.remarks) remarks.push_back(each.in(language));
     for (const Outcome::Missing& each : outcome.unsolved)
         unsolved.push_back(each.what.in(language) + in(lang::notation::colon, language) + each.why.in(language));
-    return member("remarks", remarks) + member("unsolved", unsolved);
+    JsonLine said;
+    add(said, "remarks", remarks);
+    add(said, "unsolved", unsolved);
+    return said;
 }
 
 }  // namespace
@@ -84,12 +85,15 @@ std::string BatchWorker::answer(const std::string& line) {
     const bool refused = answer.status != Status::done && answer.status != Status::unsolved;
     ++tally_.answered;
     if (refused) ++tally_.refused;
-    if (refused) answer.members = member("errors", errors);
-    if (refused && read.id == "null") answer.members += ", \"line\": " + json_string(Request::excerpt(line));
-    std::string text = R"({"id": )" + read.id;
-    if (!answer.members.starts_with(", \"status\""))
-        text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));
-    return text + answer.members + "}\n";
+    if (refused) {
+        answer.members = {};
+        add(answer.members, "errors", errors);
+        if (read.id == "null") answer.members.add("line", Request::excerpt(line));
+    }
+    JsonLine whole;
+    whole.add_json("id", read.id);
+    if (!answer.has_status) whole.add("status", static_cast<int>(answer.status));
+    return whole.add_members(answer.members).object() + '\n';
 }
 
 BatchWorker::Answer BatchWorker::carry_out(SolveRequest& line) {
@@ -127,19 +131,19 @@ bool BatchWorker::set_look(SolveRequest& line) {
 BatchWorker::Answer BatchWorker::made(const SolveRequest& line) {
     const auto outcome = outcome_of(line, files_wanted(line));
     if (!outcome) return {outcome.error()};
-    std::vector<std::string> pages;
-    std::string results;
-    int count = 0;
+    std::vector<std::string> pages, results;
     for (const Output& output : outcome->outputs) {
         if (output.path.ends_with(".svg")) {
             pages.push_back(output.bytes);
             continue;
         }
-        results += (count++ == 0 ? "" : ", ") + on_one_line(output.bytes);
+        results.push_back(on_one_line(output.bytes));
     }
-    if (count == 1) results = ", \"result\": " + results;
-    if (count > 1) results = ", \"results\": [" + results + "]";
-    return {outcome->status(), said_of(*outcome, line.language()) + results + member("svg", pages)};
+    JsonLine members = said_of(*outcome, line.language());
+    if (results.size() == 1) members.add_json("result", results.front());
+    if (results.size() > 1) members.add_json("results", json_list(results));
+    add(members, "svg", pages);
+    return {outcome->status(), std::move(members)};
 }
 
 BatchWorker::Answer BatchWorker::written(const SolveRequest& line) {
@@ -147,7 +151,7 @@ BatchWorker::Answer BatchWorker::written(const SolveRequest& line) {
     if (request_.resume) {
         if (const auto before = cache_record.answer()) {
             ++tally_.resumed;
-            return {Status::done, ", " + before->substr(1, before->size() - 2)};  // the record contains its status
+            return {Status::done, JsonLine().add_members(*before), true};
         }
     }
     auto outcome = outcome_of(line, files_wanted(line));
@@ -155,13 +159,16 @@ BatchWorker::Answer BatchWorker::written(const SolveRequest& line) {
     std::vector<Output> outputs = std::move(outcome->outputs);
     std::vector<std::string> paths;
     for (const Output& output : outputs) paths.push_back(output.path);
-    const std::string told = member("files", paths) + said_of(*outcome, line.language());
-    outputs.push_back(
-        cache_record.of(outputs, "{\"status\": " + std::to_string(static_cast<int>(outcome->status())) + told + "}"));
+    JsonLine told;
+    add(told, "files", paths);
+    told.add_members(said_of(*outcome, line.language()));
+    JsonLine record;
+    record.add("status", static_cast<int>(outcome->status())).add_members(told);
+    outputs.push_back(cache_record.of(outputs, record.object()));
     auto failure = cache_record.make_room();
     if (!failure) failure = write_all(outputs);
     if (failure) return {fail_to_write(*failure, line.language())};
-    return {outcome->status(), told};
+    return {outcome->status(), std::move(told)};
 }
 
 }  // namespace kinegraph::app

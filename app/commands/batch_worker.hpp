@@ -10,6 +10,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/solved.hpp"
+#include "app/files/json_text.hpp"
 
 namespace kinegraph::app {
 
@@ -30,7 +31,8 @@ public:
 private:
     struct Answer {
         Status status = Status::done;
-        std::string members = {};  ///< JSON: ", \"files\": […]" …
+        JsonLine members = {};    ///< "files": […] …
+        bool has_status = false;  ///< the members have their own
     };
     Answer carry_out(SolveRequest& line);
     Answer made(const SolveRequest& line);

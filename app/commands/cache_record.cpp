@@ -13,6 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.hpp"
+
 namespace kinegraph::app {
 namespace {
 
@@ -147,10 +149,11 @@ std::optional<NotWritten> CacheRecord::make_room() const {
 }
 
 Output CacheRecord::of(const std::vector<Output>& outputs, const std::string& answer) const {
-    std::string sizes;
-    for (const Output& output : outputs) sizes += (sizes.empty() ? "" : ", ") + std::to_string(output.bytes.size());
-    return {path_,
-            "{\"asked\": \"" + asked_ + "\", \"sizes\": [" + sizes + "]" + std::string(before_answer) + answer + "}\n"};
+    std::vector<std::string> sizes;
+    for (const Output& output : outputs) sizes.push_back(std::to_string(output.bytes.size()));
+    JsonLine record;
+    record.add("asked", asked_).add_json("sizes", json_list(sizes)).add_json("answer", answer);
+    return {path_, record.object() + '\n'};
 }
 
 }  // namespace kinegraph::app

@@ -183,8 +183,7 @@ private:
         for (const Output& each : outputs) paths.push_back(each.path);
         const std::vector<std::string> before = cache_record.files_of(number, drawn);
         if (const auto failure = cache_record.make_room()) return not_put(*failure);
-        outputs.push_back(
-            cache_record.of(outputs, "{\"files\": " + json_quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
+        outputs.push_back(cache_record.of(outputs, JsonLine().add("files", paths).add("of", drawn).object()));
         if (const auto status = put(outputs)) return status;
         // Removes the sheets that an earlier variant of this number left in another format. Sheets of the same variant
         // stay.

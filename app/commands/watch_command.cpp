@@ -10,6 +10,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/files/files.hpp"
+#include "app/files/json_text.hpp"
 #include "app/server/local_server.hpp"
 #include "app/server/session.hpp"
 #include "app/server/watched_file.hpp"
@@ -23,18 +24,15 @@ constexpr int between_looks = 100;  // ms
 
 /// {"page": 2, "faults": [{"line": 3, "column": 5, "where": "/joints/2", "en": "…", "it": "…"}]}
 std::string as_json(const Watched& watched) {
-    std::string faults;
-    for (const FileFault& fault : watched.faults) {
-        faults += faults.empty() ? "{" : ", {";
-        if (fault.place)
-            faults += "\"line\": " + std::to_string(fault.place->line) +
-                      ", \"column\": " + std::to_string(fault.place->column) + ", ";
-        faults += "\"where\": " + json_string(fault.fault.place);
-        for (const Language language : languages)
-            faults += ", \"" + code_of(language) + "\": " + json_string(fault.fault.text.in(language));
-        faults += '}';
+    std::vector<std::string> faults;
+    for (const FileFault& each : watched.faults) {
+        JsonLine fault;
+        if (each.place) fault.add("line", each.place->line).add("column", each.place->column);
+        fault.add("where", each.fault.place);
+        for (const Language language : languages) fault.add(code_of(language), each.fault.text.in(language));
+        faults.push_back(fault.object());
     }
-    return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";
+    return JsonLine().add("page", watched.pages).add_json("faults", json_list(faults)).object() + "\n";
 }
 
 /// The content that is served, by path.
