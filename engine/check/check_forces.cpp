@@ -162,7 +162,7 @@ private:
             const Joint& joint = mechanism_.joint(index);
             const std::size_t at = at_index(index);
             const Index column = equations_.first_column(index);
-            if (joint.kind != JointKind::gear || !solved.known[static_cast<std::size_t>(column)]) continue;
+            if (!joint.pair().meshes() || !solved.known[static_cast<std::size_t>(column)]) continue;
             const double force = solved.values[column];
             if (std::abs(force) <= nothing() * largest(solved.values)) continue;
             const Pair n = quarter(unit_along(pose_.tangents[at], pose_));
