@@ -23,12 +23,14 @@ double rate_along(const Mechanism& mechanism, const Course& course) {
 
 DriverClock::DriverClock(const Mechanism& mechanism, const Course& course)
     : driver_(at_index(course.driver)), law_(law_of(mechanism.drivers[driver_])), rate_(rate_along(mechanism, course)) {
-    if (law_ != nullptr) drawn_ = {law_->drawn.to_double(), law_->at(law_->drawn.to_double()).s};
+    if (law_ == nullptr) return;
+    curve_ = LawCurve(*law_);
+    drawn_ = {law_->drawn.to_double(), curve_.at(law_->drawn.to_double()).s};
 }
 
 double DriverClock::go_to(double at) {
     if (law_ == nullptr) return at;
-    state_ = law_->at(drawn_.first + at);
+    state_ = curve_.at(drawn_.first + at);
     time_ = at;
     return state_.s - drawn_.second;
 }

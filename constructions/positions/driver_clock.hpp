@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/board/program.hpp"
-#include "engine/mechanism/law.hpp"
+#include "engine/mechanism/law_curve.hpp"
 #include "engine/motion/positions.hpp"
 
 namespace kinegraph {
@@ -35,6 +35,7 @@ public:
 private:
     std::size_t driver_;
     const Law* law_;
+    LawCurve curve_;                         ///< of the law: its pieces are read once, not in every row
     std::pair<double, double> drawn_{0, 0};  ///< time and coordinate of the law in the drawn position
     LawState state_;                         ///< of the law, here
     double time_ = 0;                        ///< since the drawn position, by the law

@@ -6,6 +6,7 @@
 
 #include "constructions/positions/cycle.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/mechanism/law_curve.hpp"
 
 namespace kinegraph {
 
@@ -59,16 +60,17 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
 
 tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, const Law& law, std::optional<double> from,
                                                 std::optional<double> to) {
-    const double drawn = law.drawn.to_double(), way = law.at(drawn).s;
+    const LawCurve curve(law);
+    const double drawn = law.drawn.to_double(), way = curve.at(drawn).s;
     Travel travel;
     travel.times = {from.value_or(0 - drawn), to.value_or(law.length() - drawn)};
     // The extremes are at the ends of the law, or where two pieces meet.
     const auto [first, last] = std::minmax({travel.times->first + drawn, travel.times->second + drawn});
-    std::vector<double> turning_points{law.at(first).s - way, law.at(last).s - way};
+    std::vector<double> turning_points{curve.at(first).s - way, curve.at(last).s - way};
     double end = 0;
     for (const LawPiece& piece : law.pieces) {
         end += piece.over.to_double();
-        if (end > first && end < last) turning_points.push_back(law.at(end).s - way);
+        if (end > first && end < last) turning_points.push_back(curve.at(end).s - way);
     }
     const auto [least, most] = std::minmax_element(turning_points.begin(), turning_points.end());
     travel.from = *least;

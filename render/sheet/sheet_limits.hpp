@@ -24,7 +24,7 @@ constexpr std::size_t most_drawn_bodies = 250;
 constexpr std::size_t most_steps = 240;
 /// Sentences and loads, and polygons, of a solution whose brief sheet is compared with its full one: planning takes
 /// nearly all of the time of a sheet, and a comparison plans three times.
-constexpr std::size_t most_compared = 300, most_compared_polygons = 24;
+constexpr std::size_t most_compared = 200, most_compared_polygons = 24;
 
 /// Whether a brief sheet keeps the scales of the full one: those of dozens of pages are not compared.
 bool is_planned_twice(const Solution& solution);
