@@ -31,7 +31,7 @@ export class Panel {
             };
             input.onblur = () => this.show(motion);
             const said = ends ? ends.map((end) => unscored(this.page.data.names.points[end].label)).join('') : name;
-            label.append(symbolOf(said, parameter), input, unitText(unit));
+            label.append(symbolOf(said, parameter), ' ', input, ' ', unitText(unit));
             panel.append(label);
             this.inputs.set(i, input);
             if (settings[i].direction !== undefined) this.addDirection(motion, i, label, said);
@@ -66,7 +66,7 @@ export class Panel {
             if (isGood) this.page.drive.turnLoad(setting, motion.settings[setting], isFirst ? 0 : to - direction);
         };
         input.onblur = () => this.show(motion);
-        label.append('∠', input, unitText('°'));
+        label.append(' ∠ ', input, ' ', unitText('°'));
         this.directions.set(setting, input);
     }
     /**

@@ -1181,9 +1181,9 @@ test('a load is dragged by its tip: it turns, and the polygon follows', async ()
 });
 
 for (const name of ['beam', 'truss_roof_wind', 'toggle_clamp', 'excavator_arm', 'exam_2001']) {
-    test(`the record of ${name} has each vector of its polygons where the sheet draws it`, async () => {
+    test(`the record of ${name} has each force of its polygons where the sheet draws it`, async () => {
         await open(pageOf(name));
-        const found = await see(`kinegraph.figures.filter((view) => !view.isMechanism && !view.isHeld).flatMap((view) =>
+        const found = await see(`kinegraph.figures.filter(({id}) => /^(forces|closure)/.test(id)).flatMap((view) =>
             [...view.group.querySelectorAll(':scope > g.vector')].map((node) => {
                 const at = view.vector(node.dataset.name), axis = node.querySelector('line.axis');
                 return axis && [view.id, node.dataset.name, at && apart(minus(...at), minus(...endsOf(axis)))];

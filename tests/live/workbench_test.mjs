@@ -392,6 +392,22 @@ test('a field that was taken is undone with the file; a comma marks decimals whe
     assert.deepEqual(messages, []);
 });
 
+test('the selected point shows on the drawing how the file places it', async () => {
+    await begin();
+    await run(`workbench.open(${JSON.stringify(exampleText('four_bar.json'))}, 'four_bar.json', null)`);
+    await settled();
+    const shown = (point) => run(`new Promise((done) => {
+        workbench.select('/points/${point}');
+        requestAnimationFrame(() => requestAnimationFrame(() => done({
+            notes: [...document.querySelectorAll('.placing text')].map((each) => each.textContent.trim()),
+            arcs: document.querySelectorAll('.placing .curve').length})));
+    })`);
+    assert.deepEqual(await shown('B'), {notes: ['150 mm', '80 mm'], arcs: 2});
+    assert.deepEqual(await shown('A'), {notes: ['40 mm  ∠ 60°'], arcs: 0});
+    assert.deepEqual(await shown('O2'), {notes: [], arcs: 0});
+    assert.deepEqual(messages, []);
+});
+
 test('by touch: points are placed, two fingers zoom', async () => {
     await begin({width: 390, height: 844});
     await page.locator('[data-tool=link]').tap();

@@ -1,5 +1,6 @@
 // Draws the mechanism while it is built: what the file says, where the engine places it.
 import {drawDrivers, drawLoads, drawMasses, gap} from './canvas_loads.js';
+import {drawPlacing} from './canvas_places.js';
 import {svg} from './dom.js';
 import {Model} from './model.js';
 import {distance} from './placing.js';
@@ -60,6 +61,7 @@ export class Canvas {
         drawDrivers(this, scene);
         drawMasses(this, scene);
         drawLoads(this, scene);
+        drawPlacing(this, scene);
     }
     /**
      * @param {string} point
