@@ -362,6 +362,8 @@ private:
         set.push_back({table.driver, value});
         auto varied = read_mechanism(file_.text, file_.name, set);
         if (!varied) return note(varied.error());
+        for (const Column& each : on_request_.columns)
+            varied->find.curvature = varied->find.curvature || result_kind(each.quantity).is_of_curvature();
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
         if (!solution->unsolved.empty() && whole)

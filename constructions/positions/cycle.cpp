@@ -41,13 +41,26 @@ Find found_in_rows(const Mechanism& mechanism, const std::vector<Column>& on_req
     find.acceleration = whole_motion || asked.acceleration;
     find.forces = !asked.stated || asked.forces;
     find.virtual_work = asked.virtual_work && !mechanism.efforts.empty();
-    find.instant_centres = std::any_of(on_request.begin(), on_request.end(), [](const Column& each) {
-        return result_kind(each.quantity).shape == ResultKind::Shape::place;
-    });
+    for (const Column& each : on_request) {
+        find.instant_centres = find.instant_centres || each.quantity.kind == Kind::centre;
+        find.curvature = find.curvature || result_kind(each.quantity).is_of_curvature();
+    }
     return find;
 }
 
 bool is_of_forces(const Column& column) { return result_kind(column.quantity).is_of_forces(); }
+
+/// Radii and diameters, which are read between two elements of a record.
+bool is_distance(const Column& column) {
+    const ResultKind& kind = result_kind(column.quantity);
+    return kind.is_of_curvature() && kind.shape == ResultKind::Shape::scalar;
+}
+/// Infinite where the point is at infinity.
+double distance(const PointOf<double>& to, const Spot& from) {
+    if (to.at_infinity()) return HUGE_VAL;
+    const Spot apart = to.place() - from;
+    return std::sqrt(dot(apart, apart));
+}
 
 /// Irrational fractions of the travel, to avoid special positions.
 constexpr std::array sample_shares{0.381966, 0.618034, 0.236068, 0.854102};
@@ -355,9 +368,14 @@ private:
 
     bool fill(const KeptRecords::Record& record) {
         return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
-            const auto& [known, element] = record.sources[i];
+            const auto& [known, element, from] = record.sources[i];
             if (!known) return std::nullopt;
             if (element == none) return std::pair{Spot{}, 0.0};
+            if (is_distance(columns_[i])) {
+                const PointIndex point = columns_[i].quantity.point;
+                const Spot start = from != none ? record.replay.point(from).place() : places_.points[at_index(point)];
+                return std::pair{Spot{}, distance(record.replay.point(element), start)};
+            }
             if (result_kind(columns_[i].quantity).shape == ResultKind::Shape::place)
                 return std::pair{record.replay.point(element).place(), 0.0};
             return std::pair{record.replay.vector(element), record.replay.scalar(element)};
@@ -378,7 +396,8 @@ private:
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
             const bool may_lack = result_kind(columns_[i].quantity).on_request;
-            lacking_[i] = may_lack && !place && (!result || !is_within_reach(columns_[i], result->first));
+            lacking_[i] =
+                may_lack && !place && (!result || !is_within_reach(columns_[i], result->first, result->second));
             if (!place && !result && !may_lack) return false;
             values_[i] = lacking_[i] ? 0 : place ? *place : part_of(columns_[i], result->first, result->second);
             if (!std::isfinite(values_[i])) return false;
@@ -407,9 +426,10 @@ private:
         return std::nullopt;
     }
     /// A place further away than this is at infinity within the accuracy of doubles.
-    bool is_within_reach(const Column& column, const Spot& place) const {
-        if (result_kind(column.quantity).shape != ResultKind::Shape::place) return true;
+    bool is_within_reach(const Column& column, const Spot& place, double scalar) const {
         const double most = 0x1p40 * pose_.size.to_double();
+        if (is_distance(column)) return scalar < most;
+        if (result_kind(column.quantity).shape != ResultKind::Shape::place) return true;
         return std::abs(place.x) < most && std::abs(place.y) < most;
     }
     double part_of(const Column& column, const Spot& vector, double scalar) const {

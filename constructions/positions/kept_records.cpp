@@ -22,7 +22,9 @@ void KeptRecords::keep(const Solution& solution, const std::vector<Column>& colu
     std::vector<ElementIndex> wanted;
     for (const Column& column : columns)
         for (const FoundValue& entry : entries)
-            if (entry.element != none && entry.quantity == column.quantity) wanted.push_back(entry.element);
+            if (entry.quantity == column.quantity)
+                for (const ElementIndex each : {entry.element, entry.from})
+                    if (each != none) wanted.push_back(each);
     const Cut cut_out = cut(solution.protocol.program, wanted, settled);
     Record record{Replay(cut_out.program, givens_of(cut_out.program, solution.mechanism, solution.pose),
                          solution.pose.size.to_double()),
@@ -35,7 +37,10 @@ void KeptRecords::keep(const Solution& solution, const std::vector<Column>& colu
         const auto found = std::find_if(entries.begin(), entries.end(),
                                         [&](const FoundValue& entry) { return entry.quantity == columns[i].quantity; });
         if (found == entries.end()) continue;
-        record.sources[i] = {true, found->element == none ? ElementIndex() : cut_out.element[at_index(found->element)]};
+        const auto kept = [&](ElementIndex element) {
+            return element == none ? ElementIndex() : cut_out.element[at_index(element)];
+        };
+        record.sources[i] = {true, kept(found->element), kept(found->from)};
     }
     // Records of special positions (a right angle, a body at rest) are valid nowhere else; the oldest are dropped.
     constexpr std::size_t most = 24;

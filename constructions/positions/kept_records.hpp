@@ -20,6 +20,7 @@ public:
         struct Source {
             bool known = false;
             ElementIndex element;  ///< none: the value is zero
+            ElementIndex from{};   ///< of a distance, as FoundValue::from
         };
         Replay replay;
         std::vector<std::pair<int, Given>> moving;  ///< givens that change, with their index in the program

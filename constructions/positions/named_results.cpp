@@ -42,7 +42,8 @@ std::string name_in_column(const Quantity& q, const Solution& solution) {
             });
         return m.point(q.point).name + (several ? " on " + m.body(q.body).name : "");
     }
-    return subject == ResultKind::Subject::joint ? subject_of(q, solution) : std::string();
+    const bool has_name_there = subject == ResultKind::Subject::joint || subject == ResultKind::Subject::coupler;
+    return has_name_there ? subject_of(q, solution) : std::string();
 }
 
 double angle_of(const Body& body, const Pose& pose) {
@@ -66,7 +67,6 @@ public:
         for (const FoundValue& each : found_)
             if (each.quantity.component == Quantity::Component::x) add_modulus(each);
         add_efforts();
-        if (solution_.problem == nullptr) add_transmission_angles();
         if (solution_.problem)
             for (const ProblemValue& each : solution_.problem->values)
                 results_.push_back({{Column::Kind::named, {}, each.key, each.kind}, each.value, each.unit});
@@ -98,10 +98,6 @@ private:
             add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.mechanism, {}, column);
             results_.push_back({std::move(column.front()), efforts[e].value->to_double()});
         }
-    }
-    void add_transmission_angles() {
-        for (auto& [column, coupler] : transmission_columns(solution_.mechanism, 0))
-            results_.push_back({std::move(column), transmission_angle(coupler, solution_.pose)});
     }
     void add_modulus(const FoundValue& each) {
         if (result_kind(each.quantity).shape != ResultKind::Shape::vector) return;
@@ -165,8 +161,12 @@ const NamedResult* result_named(const std::vector<NamedResult>& results, const s
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions) {
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
-        values.push_back({quantity, found.element(), {}, 0, {}});
-        if constexpr (requires { found->place(); }) {
+        values.push_back({quantity, found.element()});
+        if constexpr (requires { found->element_to; }) {
+            values.back().scalar = found->to_double();
+            values.back().element = found->element_to;
+            values.back().from = found->element_from;
+        } else if constexpr (requires { found->place(); }) {
             const Vector place = found->place();
             values.back().vector = to_double(place);
             values.back().exact = quantity.component == Quantity::Component::x ? place.x : place.y;
@@ -235,7 +235,7 @@ std::optional<Exact> exact_value(const NamedResult& result, const Solution& solu
         default: return std::nullopt;
     }
     for (const FoundValue& each : found_values(solution, true))
-        if (each.quantity == q) return certain(each.exact);
+        if (each.quantity == q && each.exact) return certain(*each.exact);
     return std::nullopt;
 }
 

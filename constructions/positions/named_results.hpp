@@ -18,9 +18,10 @@ struct Solution;
 struct FoundValue {
     Quantity quantity;
     ElementIndex element;
-    VectorOf<double> vector;  ///< for a component: the whole vector
+    VectorOf<double> vector{};  ///< for a component: the whole vector
     double scalar = 0;
-    Exact exact;  ///< the scalar, or the component
+    std::optional<Exact> exact{};  ///< the scalar, or the component; none: it is not in the record
+    ElementIndex from{};           ///< of a distance: the place where it begins; none: the quantity's point
 };
 /// In the order of the columns of a sweep. Of action and reaction, the one that comes first in the results, or both.
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions = false);

@@ -51,15 +51,24 @@ void RowCheck::put_into_pose(const Row& row) {
         if (drawn_.joints[i].along) pose_.guide_units[i] = exact_vector(unit_vector(row.places.guides[i]));
 }
 
+std::optional<std::array<double, 2>> RowCheck::numeric_on_request(const Quantity& q,
+                                                                  const NumericMotion& motion) const {
+    if (q.kind == Quantity::Kind::centre) return numeric_centre(motion, q);
+    if (!result_kind(q).is_of_curvature()) return std::nullopt;
+    if (q.kind == Quantity::Kind::radius) return numeric_curvature(motion, q, pose_.at(q.point));
+    const auto pole = numeric_centre(motion, {.kind = Quantity::Kind::centre, .body = frame, .other = q.body});
+    if (!pole) return std::nullopt;
+    return numeric_curvature(motion, q, exact_vector({(*pole)[0], (*pole)[1]}));
+}
+
 std::optional<double> RowCheck::numeric(const Row& row, const Column& column, const NumericMotion& motion,
                                         const NumericForces* forces) const {
     const Quantity& q = column.quantity;
     const ResultKind& kind = result_kind(q);
     const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::y ? 1 : 0]; };
     if (kind.on_request) {
-        if (kind.shape != ResultKind::Shape::place) return std::nullopt;
-        const auto place = numeric_centre(motion, q);
-        return place ? std::optional(part(*place)) : std::nullopt;
+        const auto found = numeric_on_request(q, motion);
+        return found ? std::optional(part(*found)) : std::nullopt;
     }
     if (kind.subject == ResultKind::Subject::effort) {
         if (!forces->effort_known[at_index(q.given)]) return std::nullopt;

@@ -47,6 +47,7 @@ public:
 private:
     void put_into_pose(const Row& row);
     /// The check's value for a column; none if it does not determine it.
+    std::optional<std::array<double, 2>> numeric_on_request(const Quantity& q, const NumericMotion& motion) const;
     std::optional<double> numeric(const Row& row, const Column& column, const NumericMotion& motion,
                                   const NumericForces* forces) const;
 

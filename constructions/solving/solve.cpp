@@ -41,9 +41,10 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const bool driven = !mechanism.drivers.empty();
     const bool loaded =
         !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
-    if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
+    if (!find.stated && mechanism.motion)
+        return {true, true, !mechanism.motion->accelerations.empty(), loaded, false, find.curvature};
     // Loads without drivers: find the forces.
-    if (!find.stated) return {driven || !loaded, driven, driven, loaded, false};
+    if (!find.stated) return {driven || !loaded, driven, driven, loaded, false, find.curvature};
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
     // The equations' values are compared with the polygons.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;

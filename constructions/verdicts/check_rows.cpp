@@ -37,7 +37,9 @@ public:
         for_each_result(solution_,
                         [&](const Quantity& quantity, const auto& found) { compare_motion(quantity, *found); });
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
-        for (const Curvature& found : solution_.curvature) compare_curvature(found);
+        for_each_curvature(solution_, [&](const Quantity& quantity, const auto& found) {
+            if (found) compare_curvature(quantity, found);
+        });
         if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() ||
             solution_.virtual_work)
             compare_forces(solution_, numeric_, comparison_);
@@ -86,28 +88,20 @@ private:
         add(quantity_of(centre), place, found);
     }
 
-    /// P and its acceleration-based results: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
-    void compare_curvature(const Curvature& found) {
-        const auto& state = numeric_.bodies[at_index(found.body)];
-        if (!state.velocity_known || !state.acceleration_known) return;
-        for (const PathCentre& path : found.points) {
-            if (!path.centre || path.centre->at_infinity()) continue;
-            const Vector& place = solution_.pose.at(path.point);
-            const Pair v = numeric_.velocity(found.body, place), a = numeric_.acceleration(found.body, place);
-            const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
-            if (!(across > 0)) continue;
-            add({.kind = Kind::radius, .body = found.body, .point = path.point},
-                kinegraph::length(path.centre->place() - place), speed * speed * speed / across);
-        }
-        if (found.kind != Curvature::Kind::general || state.omega == 0) return;
-        const Vector pole = found.pole->place();
-        const double square = state.omega * state.omega, whole = square * square + state.alpha * state.alpha;
-        const Pair a = numeric_.acceleration(found.body, pole);
-        add({.kind = Kind::inflection_diameter, .body = found.body}, kinegraph::length(*found.inflection_pole - pole),
-            length(a) / square);
-        const Pair centre{pole.x.to_double() + (square * a[0] - state.alpha * a[1]) / whole,
-                          pole.y.to_double() + (square * a[1] + state.alpha * a[0]) / whole};
-        add({.kind = Kind::acceleration_pole, .body = found.body}, *found.acceleration_pole, centre);
+    /// Of a body that turns about a pole at rest the circle is a point, and the poles of velocity and acceleration are
+    /// one.
+    void compare_curvature(const Quantity& quantity, const auto& found) {
+        const auto of = std::find_if(solution_.curvature.begin(), solution_.curvature.end(),
+                                     [&](const Curvature& each) { return each.body == quantity.body; });
+        const bool is_of_path = quantity.kind == Kind::radius;
+        if (!is_of_path && of->kind != Curvature::Kind::general) return;
+        const Vector beside = is_of_path ? solution_.pose.at(quantity.point) : of->pole->place();
+        const auto numeric = numeric_curvature(numeric_, quantity, beside);
+        if (!numeric) return;
+        if constexpr (requires { found->to_double(); })
+            add(quantity, found->to_double(), (*numeric)[0]);
+        else
+            add(quantity, *found, *numeric);
     }
 
     void tell_what_moves() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/functions.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
@@ -10,6 +11,7 @@ namespace {
 
 using Components = std::array<double, 2>;
 
+double length(const Components& a) { return nearest::hypot(a[0], a[1]); }
 Components difference(const Components& a, const Components& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
 std::optional<Components> numeric_sliding(const NumericMotion& motion, const Joint& joint, const Vector& place,
@@ -38,6 +40,23 @@ std::optional<Components> numeric_centre(const NumericMotion& motion, const Quan
     const Vector origin;
     const Components relative = difference(motion.velocity(centre.other, origin), motion.velocity(centre.body, origin));
     return Components{-relative[1] / omega, relative[0] / omega};
+}
+
+std::optional<Components> numeric_curvature(const NumericMotion& motion, const Quantity& quantity,
+                                            const Vector& beside) {
+    const auto& state = motion.bodies[at_index(quantity.body)];
+    if (!state.velocity_known || !state.acceleration_known) return std::nullopt;
+    const Components a = motion.acceleration(quantity.body, beside);
+    if (quantity.kind == Quantity::Kind::radius) {
+        const Components v = motion.velocity(quantity.body, beside);
+        const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
+        return across > 0 ? std::optional(Components{speed * speed * speed / across, 0}) : std::nullopt;
+    }
+    if (state.omega == 0) return std::nullopt;
+    const double square = state.omega * state.omega, whole = square * square + state.alpha * state.alpha;
+    if (quantity.kind == Quantity::Kind::inflection_diameter) return Components{length(a) / square, 0};
+    return Components{beside.x.to_double() + (square * a[0] - state.alpha * a[1]) / whole,
+                      beside.y.to_double() + (square * a[1] + state.alpha * a[0]) / whole};
 }
 
 std::optional<Components> numeric_result(const NumericMotion& motion, const Mechanism& mechanism, const Pose& pose,

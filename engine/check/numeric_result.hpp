@@ -14,6 +14,11 @@ namespace kinegraph {
 std::optional<std::array<double, 2>> numeric_result(const NumericMotion& motion, const Mechanism& mechanism,
                                                     const Pose& pose, const Quantity& quantity);
 
+/// The radius of curvature of a path at the point `beside`, from v and a there; the diameter of the inflection circle
+/// with the pole `beside`, |a|/ω²; or the pole of accelerations, from those of `beside`. None: nothing moves there.
+std::optional<std::array<double, 2>> numeric_curvature(const NumericMotion& motion, const Quantity& quantity,
+                                                       const Vector& beside);
+
 /// The place, m, where the two bodies of an instant centre have the same velocity. None where the drivers do not
 /// determine it, or where they hardly turn against each other.
 std::optional<std::array<double, 2>> numeric_centre(const NumericMotion& motion, const Quantity& centre);

@@ -97,6 +97,18 @@ std::vector<Coupler> couplers_of(const Mechanism& mechanism, int driver) {
     return CouplerSearch(mechanism, driver).all();
 }
 
+std::vector<std::pair<std::string, Coupler>> named_couplers(const Mechanism& mechanism, int driver) {
+    std::vector<std::pair<std::string, Coupler>> named;
+    if (at_index(driver) >= mechanism.drivers.size()) return named;
+    for (const Coupler& coupler : couplers_of(mechanism, driver)) {
+        std::string name = mechanism.joint(coupler.pin).name;
+        const auto is_taken = [&](const auto& each) { return each.first == name; };
+        if (std::any_of(named.begin(), named.end(), is_taken)) name += " on " + mechanism.body(coupler.follower).name;
+        if (std::none_of(named.begin(), named.end(), is_taken)) named.emplace_back(name, coupler);
+    }
+    return named;
+}
+
 double transmission_angle(const VectorOf<double>& a, const VectorOf<double>& b, const VectorOf<double>& foot,
                           const VectorOf<double>& along) {
     const VectorOf<double> rod = b - a;

@@ -2,7 +2,9 @@
 // Contains no positions.
 #pragma once
 
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/mechanism/mechanism.hpp"
@@ -19,6 +21,8 @@ struct Coupler {
 
 /// Those that the driver (by its index) moves, from the driven body onwards.
 std::vector<Coupler> couplers_of(const Mechanism& mechanism, int driver);
+/// The same by name: that of the pin, with the follower where a coupler before it has that name. None without drivers.
+std::vector<std::pair<std::string, Coupler>> named_couplers(const Mechanism& mechanism, int driver);
 
 /// The transmission angle, from 0 to π/2, at the places of the coupler's pins: between their line and the follower's
 /// link, or the normal of its guide. `foot`: the follower's hinge. `along`: the direction of its guide, zero if it has

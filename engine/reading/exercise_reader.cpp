@@ -8,6 +8,7 @@
 #include "engine/results/operands.hpp"
 #include "engine/results/result_expression.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/exercises.hpp"
 #include "lang/keys/expressions.hpp"
@@ -95,7 +96,20 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     if (const JsonValue ask = file.expected("ask")) read_ask(ask, exercise);
     if (const JsonValue vary = file.expected("vary")) read_vary(vary, exercise);
     file.each("require", [&](JsonValue value) { read_require(value, mechanism, exercise); });
+    mechanism.find.curvature = mechanism.find.curvature || (knows_results_ && needs_curvature(exercise));
     mechanism.exercise = std::make_shared<const Exercise>(std::move(exercise));
+}
+
+bool ExerciseReader::needs_curvature(const Exercise& exercise) const {
+    std::vector<std::string> texts = exercise.expressions;
+    for (const AskedResult& each : exercise.ask) texts.push_back(each.name);
+    for (const Condition& each : exercise.require)
+        for (const Operand* side : {&each.left, &each.right, &each.upper}) texts.push_back(side->result);
+    std::vector<Column> known = results_;
+    known.insert(known.end(), parameter_columns_.begin(), parameter_columns_.end());
+    const std::vector<Column> used = operands_in(texts, known);
+    return std::any_of(used.begin(), used.end(),
+                       [](const Column& each) { return result_kind(each.quantity).is_of_curvature(); });
 }
 
 const Column* ExerciseReader::result_named(std::string_view name) const {

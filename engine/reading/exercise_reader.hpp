@@ -43,6 +43,7 @@ private:
     void hold_sides_together(JsonValue at, Condition& condition);
     std::optional<int> compared(JsonValue at, const Operand& left, const Operand& right);
     const Column* result_named(std::string_view name) const;
+    bool needs_curvature(const Exercise& exercise) const;
     /// Adds an expression of results to the exercise; its column. Error: why it is none.
     tl::expected<Column, Words> add_expression(std::string_view text, Exercise& exercise);
 

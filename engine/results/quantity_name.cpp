@@ -4,7 +4,7 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/sentences/result_catalogue.hpp"
-#include "engine/solution/solution.hpp"
+#include "engine/solution/result_values.hpp"
 
 namespace kinegraph {
 namespace {
@@ -51,7 +51,10 @@ private:
             case mass: return body_name(mechanism_.masses[at(q.given)].body);
             case effort: return std::visit(name_of_given, mechanism_.efforts[at(q.given)]);
             case bar: return bar_name(q.body);
-            case coupler: return mechanism_.joint(q.joint).name;
+            case coupler:
+                for (const auto& [name, each] : named_couplers(mechanism_, 0))
+                    if (angle_of(each) == q) return name;
+                return mechanism_.joint(q.joint).name;
         }
         KG_ASSERT(false, "a quantity has a subject or none");
     }

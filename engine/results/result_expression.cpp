@@ -530,7 +530,7 @@ std::optional<ResultExpression> expression_called(std::string_view name, const M
 std::string vector_of_component(const Column& column) {
     if (column.kind != Column::Kind::result || column.quantity.component == Quantity::Component::whole) return {};
     const ResultKind& row = result_kind(column.quantity);
-    if (row.shape == ResultKind::Shape::place) return column.name.substr(2);
+    if (row.column->size() != 1) return column.name.substr(2);  // "x P13", "x resultant 2"
     return std::string(*row.column) + column.name.substr(row.column->size() + 1);
 }
 

@@ -10,6 +10,7 @@
 #include "engine/results/result_expression.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/result_values.hpp"
 #include "engine/solution/truss.hpp"
 
 namespace kinegraph {
@@ -23,6 +24,10 @@ std::string name_of_load(const Mechanism& mechanism, int given) {
 std::string name_of_effort(const Mechanism& mechanism, int given) {
     return std::visit([](const auto& each) { return each.name; }, mechanism.efforts[at_index(given)]);
 }
+/// Whether anything acts from outside.
+bool is_loaded(const Mechanism& mechanism) {
+    return !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
+}
 bool is_a_load(const std::string& name, const Mechanism& mechanism) {
     for (std::size_t i = 0; i < mechanism.loads.size(); ++i)
         if (name_of_load(mechanism, static_cast<int>(i)) == name) return true;
@@ -34,16 +39,21 @@ std::string name_of_column(const Quantity& q, const Mechanism& mechanism, const 
     using Subject = ResultKind::Subject;
     const ResultKind& kind = result_kind(q);
     std::string name(*kind.column);
-    if (q.component != Quantity::Component::whole) name += q.component == Quantity::Component::x ? 'x' : 'y';
+    if (q.component != Quantity::Component::whole) {
+        const std::string axis = q.component == Quantity::Component::x ? "x" : "y";
+        name = name.size() > 1 ? axis + " " + name : name + axis;
+    }
     const auto body = [&](BodyIndex index) { return index == none ? std::string("pin") : mechanism.body(index).name; };
     switch (kind.subject) {
         case Subject::body: return name + " " + body(q.body);
+        case Subject::path: return name + " " + mechanism.point(q.point).name + " on " + body(q.body);
         case Subject::action:
+        case Subject::component:
             return name + " " + mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
         case Subject::effort:
             return name + " " +
                    (kind.on_request ? subject_on_request(q, mechanism) : name_of_effort(mechanism, q.given));
-        default: return name + " " + (kind.on_request ? subject_on_request(q, mechanism) : subject);
+        default: return name + " " + (kind.on_request && subject.empty() ? subject_on_request(q, mechanism) : subject);
     }
 }
 
@@ -84,6 +94,7 @@ private:
                 carriers.push_back(body);
         }
         if (carriers.empty()) return;
+        for (const BodyIndex body : carriers) carried_.emplace_back(body, point);
         for (const Kind kind : {Kind::velocity, Kind::acceleration}) {
             add_vector({.kind = kind, .body = carriers.front(), .point = point}, m_.point(point).name);
             if (carriers.size() == 1) continue;
@@ -110,6 +121,7 @@ private:
     }
     void add_action(Quantity quantity, const Joint& joint) {
         add_vector(quantity, "");
+        actions_.push_back(quantity);
         quantity.kind = Kind::couple;
         if (joint.pair().transmits_couple()) add(quantity, "");
     }
@@ -117,8 +129,7 @@ private:
     void add_on_request() {
         for (const BodyIndex first : indices_of(m_.bodies))
             for (const BodyIndex second : m_.bodies_after(first))
-                for (const auto axis : {Quantity::Component::x, Quantity::Component::y})
-                    add_unless_taken({.kind = Kind::centre, .body = first, .other = second, .component = axis});
+                add_vector_unless_taken({.kind = Kind::centre, .body = first, .other = second});
         const auto add_powers = [&](Kind kind, std::size_t count) {
             for (std::size_t i = 0; i < count; ++i) add_unless_taken({.kind = kind, .given = static_cast<int>(i)});
         };
@@ -132,6 +143,25 @@ private:
         }
         if (const auto truss = truss_of(m_))
             for (const TrussStructure::Bar& bar : truss->bars) add_unless_taken({.kind = Kind::bar, .body = bar.body});
+        for (const auto& [body, point] : carried_)
+            add_unless_taken({.kind = Kind::radius, .body = body, .point = point});
+        for (const BodyIndex body : m_.moving_bodies()) {
+            add_unless_taken({.kind = Kind::inflection_diameter, .body = body});
+            add_vector_unless_taken({.kind = Kind::acceleration_pole, .body = body});
+            if (is_loaded(m_)) {
+                add_vector_unless_taken({.kind = Kind::resultant, .body = body});
+                add_unless_taken({.kind = Kind::resultant_couple, .body = body});
+            }
+        }
+        for (Quantity action : actions_) {
+            action.kind = Kind::force_component;
+            add_unless_taken(action);
+        }
+    }
+    void add_vector_unless_taken(const Quantity& quantity) {
+        add_unless_taken(quantity.along(Quantity::Component::x));
+        add_unless_taken(quantity.along(Quantity::Component::y));
+        if (result_kind(quantity).shape == ResultKind::Shape::vector) vectors_.emplace_back(quantity, "");
     }
     void add_unless_taken(const Quantity& quantity) {
         std::vector<Column> added;
@@ -147,6 +177,8 @@ private:
     std::vector<Column> columns_;
     std::unordered_set<std::string> taken_;  ///< names of columns_
     std::vector<std::pair<Quantity, std::string>> vectors_;
+    std::vector<std::pair<BodyIndex, PointIndex>> carried_;
+    std::vector<Quantity> actions_;
 };
 
 }  // namespace
@@ -162,6 +194,9 @@ std::string subject_on_request(const Quantity& q, const Mechanism& mechanism) {
             return (is_a_load(name, mechanism) ? "effort " : "") + name;
         }
         case Subject::coupler: return mechanism.joint(q.joint).name;
+        case Subject::body: return mechanism.body(q.body).name;
+        case Subject::path: return mechanism.point(q.point).name;
+        case Subject::component: return symbol_of_action(q, mechanism).about;
         case Subject::bar:
             if (const auto truss = truss_of(mechanism))
                 for (const TrussStructure::Bar& bar : truss->bars)
@@ -174,17 +209,10 @@ std::string subject_on_request(const Quantity& q, const Mechanism& mechanism) {
 
 std::vector<std::pair<Column, Coupler>> transmission_columns(const Mechanism& mechanism, int driver) {
     std::vector<std::pair<Column, Coupler>> columns;
-    if (at_index(driver) >= mechanism.drivers.size()) return columns;
-    for (const Coupler& coupler : couplers_of(mechanism, driver)) {
-        const Quantity quantity{
-            .kind = Kind::transmission_angle, .body = coupler.follower, .other = coupler.body, .joint = coupler.pin};
+    for (const auto& [name, coupler] : named_couplers(mechanism, driver)) {
         std::vector<Column> column;
-        add_columns(quantity, mechanism, "", column);
-        // A pin that drives several links has an angle with each.
-        const auto is_taken = [&](const auto& each) { return each.first.name == column.front().name; };
-        if (std::any_of(columns.begin(), columns.end(), is_taken))
-            column.front().name += " on " + mechanism.body(coupler.follower).name;
-        if (std::none_of(columns.begin(), columns.end(), is_taken)) columns.emplace_back(column.front(), coupler);
+        add_columns(angle_of(coupler), mechanism, name, column);
+        columns.emplace_back(std::move(column.front()), coupler);
     }
     return columns;
 }

@@ -156,6 +156,9 @@ public:
         }
         write(*section);
     }
+    void write_if_any(std::string_view name) {
+        if (const auto section = find(name); section != sections_.end()) write(*section);
+    }
     /// Those that have not been written, in the order of their first values.
     void write_the_others() {
         for (Section& each : sections_)
@@ -206,6 +209,7 @@ private:
     }
     /// What may lie at infinity is in a section of its own.
     void take(const Quantity& /*quantity*/, const ProjectivePoint& /*found*/) {}
+    void take(const Quantity& /*quantity*/, const Distance& /*found*/) {}
     void write(Section& section) {
         end_entry(section);
         json_.member(section.name, section.json.close());
@@ -306,17 +310,6 @@ public:
         json_.close();
     }
 
-    /// rad, by the joint at which a coupler drives a link.
-    void transmission_angles() const {
-        const auto angles = transmission_columns(mechanism_, 0);
-        if (angles.empty()) return;
-        constexpr std::string_view name = "transmission angle ";
-        json_.key("transmission angles").open('{', on_lines);
-        for (const auto& [column, coupler] : angles)
-            json_.member(column.name.substr(name.size()), transmission_angle(coupler, solution_.pose));
-        json_.close();
-    }
-
 private:
     void add_motion(const PointMotion& motion, Entry& entry) const {
         add(velocity_of(motion), motion.velocity, entry);
@@ -337,7 +330,7 @@ private:
         if (found.inflection_centre) {
             Entry circle = entry();
             circle.add("centre", found.inflection_centre);
-            circle.add("diameter", found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0.0);
+            circle.add("diameter", diameter_of(found)->to_double());
             body.add("inflection circle", circle.closed());
         }
         if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
@@ -358,10 +351,9 @@ private:
         points.open('{');
         for (const PathCentre& path : found.points) {
             Entry each = entry();
-            if (path.centre && !path.centre->at_infinity()) {
-                const Vector centre = path.centre->place();
-                each.add("centre", centre);
-                each.add("radius", length(centre - solution_.pose.at(path.point)));
+            if (const auto radius = radius_of(path, solution_.pose)) {
+                each.add("centre", radius->to);
+                each.add("radius", radius->to_double());
             } else {
                 each.add("radius", std::nullopt);
                 each.add("reason",
@@ -515,7 +507,7 @@ public:
             motion.acceleration_centres();
         if (!solution_.relative_motion.empty()) motion.relative_motion();
         if (!solution_.curvature.empty()) motion.curvature();
-        motion.transmission_angles();
+        sections.write_if_any("transmission angles");
         if (forces_asked(solution_)) {
             forces.forces();
             sections.write("effort");

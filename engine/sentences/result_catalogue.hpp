@@ -42,7 +42,8 @@ struct ResultKind {
     /// Where its values lie in the results file, with `*` for its subject: "bodies/*/omega". In a section with more
     /// than results the last name alone: "velocity". None: elsewhere (docs/results.md).
     std::string_view in_file = {};
-    /// Of its column, before the axis and its subject: "v" of "vx A", "" of "x P13"; none: it has no column.
+    /// Of its column, before its subject: "v" of "v A", "" of "P13", "radius" of "radius C on 3"; none: it has no
+    /// column. The axis of a component stands behind a letter ("vx A"), before words ("x resultant 2").
     std::optional<std::string_view> column = std::nullopt;
     /// Whether a sweep has its column only where it is asked for, since it costs time or has gaps.
     bool on_request = false;
@@ -55,6 +56,7 @@ struct ResultKind {
     bool is_acceleration() const {
         return unit == QuantityKind::acceleration || unit == QuantityKind::angular_acceleration;
     }
+    bool is_of_curvature() const { return unit == QuantityKind::length && subject != Subject::two_bodies; }
     /// A force, a couple or a power.
     bool is_of_forces() const {
         return unit == QuantityKind::force || unit == QuantityKind::moment || unit == QuantityKind::power;

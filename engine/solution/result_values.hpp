@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "engine/mechanism/couplers.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/solution.hpp"
 
@@ -56,9 +57,59 @@ void for_each_power(const Solution& solution, Show show) {
     show_all(ActionKind::effort, mechanism.efforts.size());
 }
 
-/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact for a scalar, Vector
-/// for a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points that are not
-/// of the frame, slidings, actions at joints, efforts, centres, powers, forces in bars.
+/// The distance of two places: a result that no stroke holds.
+struct Distance {
+    Vector from, to;
+    ElementIndex element_from, element_to;  ///< of the record; `from` none: a point of the file
+
+    double to_double() const { return length(to - from); }
+};
+/// The radius of curvature of a path, and the diameter of the inflection circle.
+inline Recorded<Distance> radius_of(const PathCentre& path, const Pose& pose) {
+    if (!path.centre || path.centre->at_infinity()) return {};
+    return Distance{pose.at(path.point), path.centre->place(), none, path.centre.element()};
+}
+inline Recorded<Distance> diameter_of(const Curvature& found) {
+    if (!found.inflection_centre) return {};
+    const Vector pole = found.pole->place();
+    if (!found.inflection_pole) return Distance{pole, pole, found.pole.element(), found.pole.element()};
+    return Distance{pole, *found.inflection_pole, found.pole.element(), found.inflection_pole.element()};
+}
+inline Quantity angle_of(const Coupler& coupler) {
+    return {.kind = Quantity::Kind::transmission_angle,
+            .body = coupler.follower,
+            .other = coupler.body,
+            .joint = coupler.pin};
+}
+/// Radii of paths, diameters of inflection circles, poles of accelerations.
+template <class Show>
+void for_each_curvature(const Solution& solution, Show show) {
+    for (const Curvature& found : solution.curvature) {
+        for (const PathCentre& path : found.points)
+            show({.kind = Quantity::Kind::radius, .body = found.body, .point = path.point},
+                 radius_of(path, solution.pose));
+        show({.kind = Quantity::Kind::inflection_diameter, .body = found.body}, diameter_of(found));
+        show({.kind = Quantity::Kind::acceleration_pole, .body = found.body}, found.acceleration_pole);
+    }
+}
+/// Components of forces that are open otherwise, and what is given on unsupported bodies.
+template <class Show>
+void for_each_force_in_part(const Solution& solution, Show show) {
+    for (const JointForce& action : solution.forces) {
+        Quantity quantity = quantity_of(action);
+        quantity.kind = Quantity::Kind::force_component;
+        if (action.component) show(quantity, Recorded<Exact>(Exact::from_double(component_of(action))));
+    }
+    for (const Resultant& found : solution.resultants) {
+        show({.kind = Quantity::Kind::resultant, .body = found.bodies.front()}, found.force);
+        show({.kind = Quantity::Kind::resultant_couple, .body = found.bodies.front()}, found.couple);
+    }
+}
+
+/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact or Distance for a
+/// scalar, Vector for a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points
+/// that are not of the frame, slidings, actions at joints, efforts, centres, powers, forces in bars, curvature,
+/// components and resultants of forces, transmission angles.
 template <class See>
 void for_each_result(const Solution& solution, See see) {
     const auto show = [&](const Quantity& quantity, const auto& found) {
@@ -92,6 +143,10 @@ void for_each_result(const Solution& solution, See see) {
         if (solution.truss->bars[b].force)
             see(Quantity{.kind = Quantity::Kind::bar, .body = solution.truss->structure.bars[b].body},
                 Recorded<Exact>(Exact::from_double(solution.truss->tension(b, solution.pose.points))));
+    for_each_curvature(solution, show);
+    for_each_force_in_part(solution, show);
+    for (const auto& [name, coupler] : named_couplers(solution.mechanism, 0))
+        see(angle_of(coupler), Recorded<Exact>(Exact::from_double(transmission_angle(coupler, solution.pose))));
 }
 
 }  // namespace kinegraph

@@ -237,6 +237,9 @@ private:
                 return {symbol, typeset(centre_symbol(mechanism_, q.body, q.other, false), language())};
             case ResultKind::Subject::coupler:
                 return {symbol, name(mechanism_.joint(q.joint).point), body_named(q.other), body_named(q.body)};
+            case ResultKind::Subject::body: return {symbol, body_named(q.body)};
+            case ResultKind::Subject::path: return {symbol, name(q.point), body_named(q.body)};
+            case ResultKind::Subject::component: return action(q, symbol);
             case ResultKind::Subject::mass: return {symbol, body_named(mechanism_.masses[at_index(q.given)].body)};
             case ResultKind::Subject::load: {
                 const Quantity load{.kind = Quantity::Kind::load, .given = q.given};

@@ -26,7 +26,7 @@ public:
             case Node::Kind::scalar: return typeset(expression_.parts()[of.x], mechanism_, language_);
             case Node::Kind::vector: {
                 const Column& x = expression_.parts()[of.x];
-                if (result_kind(x.quantity).shape == ResultKind::Shape::place)
+                if (x.quantity.kind == Quantity::Kind::centre)
                     return render::typeset(centre_symbol(mechanism_, x.quantity.body, x.quantity.other, false),
                                            language_);
                 return typeset(modulus_column(x.quantity, mechanism_, vector_of_component(x).substr(2)), mechanism_,

@@ -385,6 +385,19 @@ Unit unit_of(const Column& column, const Mechanism& mechanism) {
     return unit_of(column.unit, mechanism);
 }
 
+namespace {
+
+/// What stands behind the letter of a result on request: "C13", "K3", "Fgas".
+std::string subject_on_paper(const Quantity& q, const Mechanism& mechanism, Language language) {
+    std::string subject = subject_on_request(q, mechanism);
+    if (q.kind == Quantity::Kind::centre) subject.replace(0, 1, notation(language).centre);
+    if (q.kind == Quantity::Kind::acceleration_pole) subject.insert(0, "K");
+    std::erase(subject, '_');
+    return subject;
+}
+
+}  // namespace
+
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
     const std::string axis = q.component == Quantity::Component::whole ? ""
@@ -421,10 +434,9 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
     }
     const ResultKind& kind = result_kind(q);
     if (kind.on_request) {
-        std::string subject = subject_on_request(q, mechanism);
-        if (kind.shape == ResultKind::Shape::place) subject.replace(0, 1, notation(language).centre);
-        std::erase(subject, '_');  // "F_gas": P_Fgas
-        return symbol(kind.sign.empty() ? axis : std::string(kind.sign), subject, Face::regular);
+        const std::string subject = subject_on_paper(q, mechanism, language);
+        return kind.sign.empty() ? symbol(axis, subject, Face::regular)
+                                 : symbol(std::string(kind.sign), along(subject), Face::regular);
     }
     const RichText letter = typeset(Symbol{kind.letter, "", ""}, language);
     switch (kind.subject) {

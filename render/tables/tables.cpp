@@ -13,6 +13,7 @@
 #include "engine/number/functions.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/result_values.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/page/figure.hpp"
@@ -334,12 +335,11 @@ private:
         if (found.inflection_pole)
             add({.kind = Quantity::Kind::inflection_diameter, .body = found.body},
                 {Symbol::Letter::diameter, solution_.mechanism.body(found.body).name, ""},
-                kinegraph::length(*found.inflection_pole - found.pole->place()));
+                diameter_of(found)->to_double());
         for (const PathCentre& path : found.points)
-            if (!path.is_pin && path.centre && !path.centre->at_infinity())
+            if (const auto radius = radius_of(path, solution_.pose); radius && !path.is_pin)
                 add({.kind = Quantity::Kind::radius, .body = found.body, .point = path.point},
-                    {Symbol::Letter::radius, path.label, ""},
-                    kinegraph::length(path.centre->place() - solution_.pose.at(path.point)));
+                    {Symbol::Letter::radius, path.label, ""}, radius->to_double());
     }
 
     void add_polygons(Plane plane, Polygon::Kind kind) {

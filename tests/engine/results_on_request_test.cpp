@@ -468,6 +468,82 @@ TEST(SweepText, QuotesANameWithAComma) {
     EXPECT_EQ(csv.substr(0, csv.find('\n')), "turn,\"max(vx A, vx B)\",vx B");
 }
 
+// --- curvature and forces in part
+
+/// A part of the results file that may be absent.
+double number_at(const Json& document, const std::string& pointer) {
+    const Json::json_pointer place(pointer);
+    return document.contains(place) && document[place].is_number() ? document[place].get<double>() : std::nan("");
+}
+
+TEST(CurvatureByName, IsThatOfTheResultsFileAlsoWhereFindDoesNotAskForIt) {
+    const Json whole = results_of(tests::example("coupler_curve"));
+    const Solution asked = tests::solved(
+        with(example_text("four_bar"), R"("ask": ["radius B on 3", "|omega 3| * 'inflection circle 3'"])"));
+    for (const auto& [solution, json] :
+         {std::pair(&tests::example("coupler_curve"), whole), std::pair(&asked, results_of(asked))}) {
+        int radii = 0;
+        ASSERT_TRUE(json.contains("curvature"));
+        for (const auto& [body, found] : json["curvature"].items()) {
+            for (const auto& [point, path] : found["points"].items())
+                if (path["radius"].is_number()) {
+                    EXPECT_EQ(value_of(*solution, "radius " + point + " on " + body), path["radius"]) << point;
+                    ++radii;
+                }
+            EXPECT_EQ(value_of(*solution, "inflection circle " + body),
+                      number_at(found, "/inflection circle/diameter"));
+            EXPECT_EQ(value_of(*solution, "x acceleration pole " + body), number_at(found, "/acceleration pole/0"));
+            EXPECT_EQ(value_of(*solution, "y acceleration pole " + body), number_at(found, "/acceleration pole/1"));
+        }
+        EXPECT_GE(radii, 4);
+    }
+    EXPECT_TRUE(asked_results(asked));
+    EXPECT_TRUE(tests::example("four_bar").curvature.empty()) << "it is found on request";
+}
+
+/// ρ = v³ / |v × a|, from other columns of the same row.
+TEST(CurvatureByName, HasTheRadiusOfTheMotionInEveryRow) {
+    const Rows found = rows_of(example_text("coupler_curve"),
+                               "radius C on 3, inflection circle 3, x acceleration pole 3, y acceleration pole 3, "
+                               "vx C, vy C, ax C, ay C, omega 3, alpha 3, x C, y C",
+                               24);
+    for (std::size_t row = 0; row < found.rows.size(); ++row) {
+        const auto at = [&](const std::string& name) { return *found.at(row, name); };
+        const double across = std::abs(at("vx C") * at("ay C") - at("vy C") * at("ax C"));
+        const double speed = std::hypot(at("vx C"), at("vy C"));
+        EXPECT_NEAR(at("radius C on 3") * across, speed * speed * speed, 1e-9 * speed * speed * speed) << row;
+        // a_C = α ∧ KC − ω² KC, with K the pole of accelerations.
+        const double x = at("x C") - at("x acceleration pole 3"), y = at("y C") - at("y acceleration pole 3");
+        const double square = at("omega 3") * at("omega 3"), size = std::hypot(at("ax C"), at("ay C"));
+        EXPECT_NEAR(-at("alpha 3") * y - square * x, at("ax C"), 1e-9 * size) << row;
+        EXPECT_NEAR(at("alpha 3") * x - square * y, at("ay C"), 1e-9 * size) << row;
+        EXPECT_GT(at("inflection circle 3"), 0);
+    }
+    EXPECT_GT(found.rows.size(), 20U);
+}
+
+TEST(ForcesInPart, HaveTheNamesOfTheChecks) {
+    const Solution& plate = tests::example("plate_under_forces");
+    const Json of_plate = results_of(plate)["resultant"];
+    ASSERT_FALSE(of_plate.empty());
+    const std::string body = of_plate.begin().key();
+    EXPECT_EQ(value_of(plate, "x resultant " + body), of_plate[body]["force"][0]);
+    EXPECT_EQ(value_of(plate, "y resultant " + body), of_plate[body]["force"][1]);
+    EXPECT_EQ(value_of(plate, "resultant couple " + body), of_plate[body]["couple"]);
+    EXPECT_NEAR(value_of(plate, "resultant " + body),
+                std::hypot(of_plate[body]["force"][0].get<double>(), of_plate[body]["force"][1].get<double>()), 1e-9);
+    int components = 0;
+    const Solution& beam = tests::example("redundant/beam_on_two_hinges");
+    const Json forces = results_of(beam)["forces"];
+    for (const auto& [joint, actions] : forces.items())
+        for (const auto& [action, found] : actions.items())
+            if (found.contains("component")) {
+                EXPECT_EQ(value_of(beam, "component " + joint + " " + action), found["component"]["value"]);
+                ++components;
+            }
+    EXPECT_GT(components, 0);
+}
+
 TEST(SweepText, HasNoColumnOnRequestThatIsNotNamed) {
     const Rows usual = rows_of(example_text("gas_force"), "", 4);
     SweepOptions options;
