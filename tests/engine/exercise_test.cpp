@@ -253,7 +253,7 @@ std::vector<NamedResult> by_check(const Variant& variant, std::size_t& held) {
     if (solution.problem) {
         for (NamedResult& each : results)
             for (const ProblemValue& value : solution.problem->values)
-                if (value.name.in(Language::en) == each.column.name && value.numeric)
+                if (value.key == each.column.name && value.numeric)
                     each.value = *value.numeric, ++held;
         return results;
     }

@@ -115,6 +115,8 @@ TEST(Law, FaultsOfFilesAreTold) {
             read.error().begin(), read.error().end(),
             [&](const Error& error) { return error.message.in(Language::en).find(each.told) != std::string::npos; }))
             << each.driver << ": " << read.error().front().message.in(Language::en);
+        std::set<std::string> places;
+        for (const Error& error : read.error()) EXPECT_TRUE(places.insert(error.where).second) << error.where;
     }
 }
 

@@ -298,9 +298,10 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
 }
 
 const EveryEquilibrium::Told& EveryEquilibrium::told() const {
-    using namespace lang::sentences;
-    static constexpr Told shared{moments_alone, components_alone, translation_alone, virtual_work_alone},
-        only{moments_give, components_give, translation_gives, virtual_work_gives};
+    static constexpr Told shared{lang::sentences::moments_alone, lang::sentences::components_alone,
+                                 lang::sentences::translation_alone, lang::sentences::virtual_work_alone},
+        only{lang::sentences::moments_give, lang::sentences::components_give, lang::sentences::translation_gives,
+             lang::sentences::virtual_work_gives};
     return is_only_ ? only : shared;
 }
 
