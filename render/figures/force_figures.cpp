@@ -894,14 +894,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         has_length ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
                                   std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                    : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-    // Names keep their size: a body less than half as large gains little space for them, and shows nothing.
+    // Names keep their size, so that a smaller body gains little space for them and shows nothing.
     constexpr double least_shown = 0.05;  // mm
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
-    return fit({.room = Spot{room_x, room_y},
-                .first = start,
-                .extent = extent,
-                .least_shown = least_shown,
-                .names_stay_in_room = true},
+    return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {
                    Sketch sketch(subject, context, trial.scale, blank.id + "-");
                    FreeBodyDrawing(sketch, loads, body, forces).draw();
