@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "constructions/positions/cycle.hpp"
 #include "engine/mechanism/drivers.hpp"
