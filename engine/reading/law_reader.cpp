@@ -74,8 +74,7 @@ void LawReader::read_piece(JsonValue value, const Form& piece_form, Law& law) {
         required(form, rise, {lang::laws::how_far_it_goes});
         const std::optional<Exact> goes = form.quantity(rise);
         piece.rise = goes.value_or(Exact());
-        if (known && goes && goes->is_zero())
-            fault(form[rise], {lang::laws::it_goes_nowhere_write_form_rest});
+        if (known && goes && goes->is_zero()) fault(form[rise], {lang::laws::it_goes_nowhere_write_form_rest});
     }
     piece.over = form.quantity_or_default(over);
     law.pieces.push_back(std::move(piece));

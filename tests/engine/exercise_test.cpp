@@ -253,8 +253,7 @@ std::vector<NamedResult> by_check(const Variant& variant, std::size_t& held) {
     if (solution.problem) {
         for (NamedResult& each : results)
             for (const ProblemValue& value : solution.problem->values)
-                if (value.key == each.column.name && value.numeric)
-                    each.value = *value.numeric, ++held;
+                if (value.key == each.column.name && value.numeric) each.value = *value.numeric, ++held;
         return results;
     }
     for (NamedResult& each : results) {
