@@ -86,13 +86,23 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
     return codes;
 }
 
+/// Why there is no sheet or page of a solution, with the place in its file.
+std::optional<Diagnostics> why_not_drawn(const Solution& solution, bool in_steps) {
+    const auto at = [](const char* place, const Words& why) {
+        return Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, place, why)};
+    };
+    if (const auto beyond = render::beyond_doubles(solution)) return at("/points", *beyond);
+    if (const auto beyond = in_steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
+        return at("/find", *beyond);
+    return std::nullopt;
+}
+
 /// The pages of one solution; adds remarks to `remarks`.
 Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
                                              const render::SheetOptions& any, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
     const render::SheetOptions options = with_colours_of(any, solution.mechanism);
-    if (const auto beyond = wanted.steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
-        return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
+    if (auto why = why_not_drawn(solution, wanted.steps)) return tl::unexpected(*std::move(why));
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
         render::LaidOutKey key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);
@@ -298,8 +308,7 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     if (!fonts) return tl::unexpected(fonts.error());
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
-    if (const auto beyond = render::beyond_sheet(solved.state().solution))
-        return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/find", *beyond)});
+    if (auto why = why_not_drawn(solved.state().solution, false)) return tl::unexpected(*std::move(why));
     const auto& source = solved.state().source;
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
     const Solution& solution = solved.state().solution;

@@ -85,18 +85,18 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
         if (found && looks_left_ <= 0) break;
         if (found && leader_price + far_price * (away - std::max(half.x, half.y) - request.clearance) >= found->price)
             break;
-        // Places that must still touch what an earlier one in the line touched are passed over.
+        // Places that must still touch what an earlier one in the line touched are passed over. They are counted, since
+        // far from the origin a step more may be the same double.
         const auto row = [&](double y) {
             if (y < middles.min.y || y > middles.max.y) return;
-            double free_from = -1e300;
-            for (double x = std::max(at.x - away, middles.min.x); x <= std::min(at.x + away, middles.max.x); x += step)
+            double free_from = -1e300, x = std::max(at.x - away, middles.min.x);
+            for (int i = 0; i <= 2 * ring && x <= std::min(at.x + away, middles.max.x); ++i, x += step)
                 if (x >= free_from) free_from = x + look_at(label, {x, y}, step, &InkMap::way_right, found);
         };
         const auto column = [&](double x) {
             if (x < middles.min.x || x > middles.max.x) return;
-            double free_from = -1e300;
-            for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y);
-                 y += step)
+            double free_from = -1e300, y = std::max(at.y - away + step, middles.min.y);
+            for (int i = 0; i <= 2 * ring && y < std::min(at.y + away, middles.max.y); ++i, y += step)
                 if (y >= free_from) free_from = y + look_at(label, {x, y}, step, &InkMap::way_down, found);
         };
         row(at.y - away);

@@ -20,6 +20,8 @@ constexpr std::size_t most_polygons = 80;
 constexpr std::size_t most_displacements = 12;
 /// Bodies of one figure of the mechanism.
 constexpr std::size_t most_drawn_bodies = 250;
+/// How many times as far from the origin as a body is large points may lie.
+constexpr double most_sizes_from_origin = 1e9;
 /// Sentences of a solution that is drawn step by step, on a page each.
 constexpr std::size_t most_steps = 240;
 /// Sentences and loads, and polygons, of a solution whose brief sheet is compared with its full one: planning takes
@@ -28,6 +30,8 @@ constexpr std::size_t most_compared = 200, most_compared_polygons = 24;
 
 /// Whether a brief sheet keeps the scales of the full one: those of dozens of pages are not compared.
 bool is_planned_twice(const Solution& solution);
+/// Why the points cannot be drawn, with a remedy; none if they can.
+std::optional<Words> beyond_doubles(const Solution& solution);
 /// Why a solution is not laid out, with the limit and a remedy; none if it is.
 std::optional<Words> beyond_sheet(const Solution& solution);
 /// The same of its steps.

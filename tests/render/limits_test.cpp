@@ -39,6 +39,24 @@ TEST(SheetLimits, RefuseHundredsOfPages) {
     EXPECT_NE(beyond->in(Language::en).find("\"find\""), std::string::npos) << beyond->in(Language::en);
 }
 
+/// A lever at a place; its weight acts at a point of the frame if `far` is its place.
+Solution lever_at(const std::string& place, const std::string& far) {
+    return solved(R"({"kinegraph": 1, "points": {"O": [)" + place +
+                  R"(, 0], "A": {"from": "O", "distance": 0.5, "angle": 0},
+        "Q": [)" + far +
+                  R"(, 0]}, "bodies": {"2": ["O", "A"]}, "joints": [{"revolute": "O", "bodies": ["0", "2"]}],
+        "loads": [{"force": "W", "body": "2", "at": "Q", "value": [0, -600]}]})");
+}
+
+// Labels were looked for without end round a pin at 10^20 m, where a millimetre more is the same double.
+TEST(SheetLimits, WhatDoublesDoNotTellApartIsNotDrawn) {
+    for (const char* near : {"0", "1000", "1e7"}) EXPECT_FALSE(render::beyond_doubles(lever_at(near, near))) << near;
+    for (const char* far : {"1e10", "1e20", "1e59"}) {
+        EXPECT_TRUE(render::beyond_doubles(lever_at(far, far))) << far;
+        EXPECT_TRUE(render::beyond_doubles(lever_at("0", far))) << far;
+    }
+}
+
 /// A four-bar with points on its coupler, each seen from the crank.
 Solution seen_from_the_crank(int points) {
     Json file = Json::parse(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 2], "B": [5, 3], "Q": [6, 0]},
