@@ -94,12 +94,13 @@ class FileBuilder:
         side: Of two intersections: of circles the one left or right of first centre → second; on a line the one
             behind or ahead in the line's direction (left is behind, right ahead)."""
     def body(self, name: str | int, *value: Any, points: Sequence[Any] = ...,
-            label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ...) -> Self:
+            label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ..., colour: str = ...) -> Self:
         """Adds to 'bodies', under a name. A body: the points that move with it, or an object.
 
         points: The points that move with it.
         label: A text, or one for each language.
-        circle: A disc, a wheel, a pitch circle."""
+        circle: A disc, a wheel, a pitch circle.
+        colour: The body's colour in all figures, in place of the theme's."""
     def joint(self, *entries: Any, revolute: str = ..., bodies: Sequence[Any] = ..., name: str = ...,
             prismatic: str = ..., along: Quantity | Sequence[Any] = ..., pin_slot: str = ..., arc: str = ...,
             rolling: str = ..., profiles: Mapping[str, Any] = ..., tangent: Quantity | Sequence[Any] = ...,
@@ -443,9 +444,10 @@ class FileBuilder:
     def cut(self, cut: Any, *more: Any) -> Self:
         """Adds to 'find'. What to find; without it, all that the data allow."""
     def link(self, name: str | int, *value: Any, points: Sequence[Any] = ...,
-            label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ...) -> Self:
+            label: Mapping[str, Any] | str = ..., circle: Mapping[str, Any] = ..., colour: str = ...) -> Self:
         """Adds to 'bodies', under a name. A body: the points that move with it, or an object.
 
         points: The points that move with it.
         label: A text, or one for each language.
-        circle: A disc, a wheel, a pitch circle."""
+        circle: A disc, a wheel, a pitch circle.
+        colour: The body's colour in all figures, in place of the theme's."""
