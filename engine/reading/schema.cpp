@@ -135,7 +135,7 @@ std::string said_by(const FormRow& row) {
 /// With what follows from the kind of the quantity.
 std::string description_of(const FormRow& row) {
     const QuantityKind kind = row.value.kind;
-    const std::string says = said_by(row);
+    std::string says = said_by(row);
     if (row.value.shape == Shape::scale) return "A scale" + in_english(scale_example(kind)) + ".";
     if (row.value.shape == Shape::quantity && !says.empty()) return says + " " + units_of(kind) + ".";
     if (row.value.shape != Shape::unit) return says;

@@ -210,7 +210,7 @@ std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibri
 
 /// The side of a bond on which its force acts in a motion: where the bodies move.
 Group EveryEquilibrium::acting_on(int b, const Equilibria::Motion& motion) const {
-    const Group cut = cut_at(b);
+    Group cut = cut_at(b);
     if (motion.members.contains(cut.front())) return cut;
     const Bond& bond = model_.bonds()[at(b)];
     for (const MemberIndex member : {bond.first, bond.second})
