@@ -311,7 +311,7 @@ private:
         if (wants("csv")) outputs.push_back({path("answers.csv"), bank_.csv()});
         return put_key(std::move(outputs));
     }
-    /// Removes what only an earlier run writes beside its key: its questions and answers are those of other variants.
+    /// Removes what an earlier run has written with its key and this one does not write: it is of other variants.
     std::optional<Status> put_key(std::vector<Output> outputs) {
         const CacheRecord cache_record(path("key"), "");
         const std::vector<std::string> before = cache_record.files_of("");

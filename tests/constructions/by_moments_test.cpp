@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lang/keys/sentences.hpp"
+#include "tests/support/force_laws.hpp"
 #include "tests/support/near_the_check.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
@@ -32,20 +33,6 @@ const JointForce& at_joint(const Solution& solution, const std::string& joint, c
     });
     if (found == solution.forces.end()) throw std::out_of_range(joint);
     return *found;
-}
-
-void expect_equilibrium(const Solution& solution) {
-    ASSERT_FALSE(solution.free_bodies.empty());
-    for (const FreeBody& body : solution.free_bodies) {
-        Vector sum;
-        Exact moment = 0;
-        for (const AppliedForce& applied : body.forces) {
-            sum = sum + applied.force;
-            moment = moment + cross(applied.at, applied.force) + applied.couple;
-        }
-        EXPECT_EQ(sum, (Vector{0, 0}));
-        EXPECT_EQ(moment, Exact(0));
-    }
 }
 
 /// Each sentence of moments has the arm of the force that it gives, about the hinge that it names.
@@ -86,7 +73,7 @@ TEST(ByMoments, AFoldingStoolWithASeat) {
     const Exact thrust = Exact(750) * Exact::ratio(8, 9);
     EXPECT_EQ(*at_joint(solution, "A", "2").force, (Vector{thrust, 450}));
     EXPECT_EQ(*at_joint(solution, "B", "3").force, (Vector{-thrust, 300}));
-    expect_equilibrium(solution);
+    expect_equilibrium_of_bodies(solution);
     expect_arms(solution);
 }
 
@@ -134,7 +121,7 @@ TEST(ByMoments, ArchesAndFramesOfAnyShapeNeedNoOtherEquation) {
         moments += said(solution, lang::sentences::moments_give);
         EXPECT_EQ(said(solution, lang::sentences::virtual_work_gives), 0U);
         EXPECT_EQ(said(solution, lang::sentences::equations_together), 0U);
-        expect_equilibrium(solution);
+        expect_equilibrium_of_bodies(solution);
         expect_arms(solution);
         EXPECT_LT(tests::worst_difference(solution), 1e-9);
     }

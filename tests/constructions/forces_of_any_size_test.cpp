@@ -12,6 +12,7 @@
 #include "constructions/statics/forces/solvable_blocks.hpp"
 #include "lang/keys/phrases.hpp"
 #include "lang/keys/sentences.hpp"
+#include "tests/support/force_laws.hpp"
 #include "tests/support/scissor_lift.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
@@ -59,20 +60,6 @@ bool says(const Solution& solution, Key sentence) {
                        [&](const Statement& each) { return each.message.sentence == sentence; });
 }
 
-/// Forces and moments of every free body vanish, exactly.
-void expect_equilibrium(const Solution& solution) {
-    ASSERT_FALSE(solution.free_bodies.empty());
-    for (const FreeBody& body : solution.free_bodies) {
-        Vector sum;
-        Exact moment = 0;
-        for (const AppliedForce& applied : body.forces) {
-            sum = sum + applied.force;
-            moment = moment + cross(applied.at, applied.force) + applied.couple;
-        }
-        EXPECT_EQ(sum, (Vector{0, 0}));
-        EXPECT_EQ(moment, Exact(0));
-    }
-}
 void expect_all_forces(const Solution& solution) {
     EXPECT_TRUE(solution.unsolved.empty()) << english_of(solution.unsolved.front());
     ASSERT_FALSE(solution.forces.empty());
@@ -90,7 +77,7 @@ TEST_P(ScissorLift, HasTheForceOfVirtualWork) {
     expect_all_forces(solution);
     ASSERT_TRUE(solution.efforts.front().value.has_value());
     EXPECT_EQ(*solution.efforts.front().value, Exact::ratio(4000 * GetParam(), 3));
-    expect_equilibrium(solution);
+    expect_equilibrium_of_bodies(solution);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, ScissorLift, testing::Values(1, 2, 5, 9, 10, 30));
@@ -109,7 +96,7 @@ class RingOfBars : public testing::TestWithParam<int> {};
 TEST_P(RingOfBars, IsInEquilibrium) {
     const Solution solution = solved(ring(GetParam()).dump());
     expect_all_forces(solution);
-    expect_equilibrium(solution);
+    expect_equilibrium_of_bodies(solution);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pins, RingOfBars, testing::Values(8, 20, 100));

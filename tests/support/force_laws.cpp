@@ -466,4 +466,18 @@ void expect_determined_forces_only(const Solution& solution, const NumericForces
     HeldForces(solution, numeric).gives_only_what_is_determined();
 }
 
+void expect_equilibrium_of_bodies(const Solution& solution) {
+    ASSERT_FALSE(solution.free_bodies.empty());
+    for (const FreeBody& body : solution.free_bodies) {
+        Vector sum;
+        Exact moment = 0;
+        for (const AppliedForce& applied : body.forces) {
+            sum = sum + applied.force;
+            moment = moment + cross(applied.at, applied.force) + applied.couple;
+        }
+        EXPECT_EQ(sum, (Vector{0, 0}));
+        EXPECT_EQ(moment, Exact(0));
+    }
+}
+
 }  // namespace kinegraph

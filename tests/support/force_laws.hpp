@@ -18,4 +18,7 @@ void expect_laws_of_forces(const Solution& solution, const NumericForces& numeri
 /// are right.
 void expect_determined_forces_only(const Solution& solution, const NumericForces& numeric);
 
+/// Forces and moments of every free body vanish, exactly.
+void expect_equilibrium_of_bodies(const Solution& solution);
+
 }  // namespace kinegraph

@@ -119,6 +119,8 @@ Equilibria::Alike EveryEquilibrium::taken_apart(int b, const std::optional<Direc
 }
 
 std::size_t EveryEquilibrium::price_of(const Equilibria::Alike& alike, Equilibria& all) const {
+    // As three motions of as many bodies as are taken one by one: moments and components of bodies that move as one are
+    // read off the drawing, virtual work is not.
     constexpr std::size_t of_moving_apart = 24;
     std::size_t price = 0;
     const auto add = [&](const Equilibria::Motion& motion) {
