@@ -241,8 +241,61 @@ test('a truss on a roller is built by mouse, and its bars have their forces', as
     await clickAt([0, 0]);
     await clickAt([0, -50]);
     await isTruss();
+    assert.ok(await numbersApart() > 24);
+    assert.equal(await run('getSelection().toString()'), '');
     const {joints} = await file();
     assert.equal(joints.filter((each) => each.contact).length, 1);
+    assert.deepEqual(messages, []);
+});
+
+/** Of the numbers of bodies on the canvas, the smallest distance, pixels. */
+const numbersApart = () => run(`(() => {
+    const at = [...document.querySelectorAll('#canvas .tag circle')].map((each) => [each.cx, each.cy].map((one) => one.baseVal.value));
+    return Math.min(...at.flatMap(([x, y], i) => at.slice(i + 1).map(([u, v]) => Math.hypot(x - u, y - v))));
+})()`);
+test('a geared five-bar is built by mouse: links are pinned to wheels where these are clicked', async () => {
+    await begin();
+    await tool('gear');
+    for (const at of [[-40, 0], [40, 0]]) await clickAt(at);
+    await tool('ground');
+    for (const at of [[-40, 0], [40, 0]]) await clickAt(at);
+    await tool('link');
+    for (const at of [[-20, 20], [0, 80], [60, 30]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await settled();
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    await tool('driver');
+    await clickAt([-60, -10]);
+    await settled();
+    const {bodies, points, drivers} = await file(), [first, second] = Object.keys(bodies);
+    assert.deepEqual(drivers, [{body: Number(first), omega: 10}]);
+    assert.deepEqual([bodies[first].length, bodies[second].length], [2, 2]);
+    assert.deepEqual([points[bodies[first][1]], points[bodies[second][1]]], [[-20, 20], [60, 30]]);
+    near((await valuesByName())[`omega ${second}`], -10);
+    assert.deepEqual(messages, []);
+});
+
+test('a pin that was drawn on a bar becomes the pin of a slot in it', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[0, -80], [60, 90]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    for (const at of [[0, 0], [39, 31]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    for (const at of [[0, -80], [0, 0]]) await clickAt(at);
+    const pin = (await run('workbench.model.points')).at(-1).name;
+    await tool('slot');
+    await clickAt((await run('workbench.spots'))[pin]);
+    await clickAt([0, -80]);
+    await tool('driver');
+    await clickAt([20, 16]);
+    await settled();
+    const {bodies, joints} = await file(), [rocker, crank] = Object.keys(bodies);
+    assert.deepEqual(joints.filter((each) => Object.values(each)[0] === pin),
+        [{'pin-slot': pin, bodies: [Number(crank), Number(rocker)], along: [bodies[rocker][0], pin]}]);
+    assert.equal(bodies[rocker].includes(pin), false);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
     assert.deepEqual(messages, []);
 });
 

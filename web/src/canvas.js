@@ -6,6 +6,7 @@ import {Model} from './model.js';
 import {distance} from './placing.js';
 import {bars} from './snap.js';
 import * as symbols from './symbols.js';
+import {Tags, ends, isStraight} from './tags.js';
 
 /**
  * @typedef {import('./edit.js').Spot} Spot
@@ -124,13 +125,14 @@ export class Canvas {
         return index < 0 ? 'frame' : `body-${(index % looks) + 1}`;
     }
     drawBodies() {
-        const {model} = /** @type {Scene} */ (this.scene);
-        for (const body of model.movingBodies) {
+        const {model} = /** @type {Scene} */ (this.scene), drawn = model.movingBodies.map((body) => ({body,
+            at: /** @type {Spot[]} */ (model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean))}));
+        const tags = new Tags(drawn.map(({at}) => at), model.points.map(({name}) => this.spot(name)));
+        for (const {body, at} of drawn) {
             const pointer = Model.pointer(['bodies', body.name]), look = this.look(body.name);
-            const at = /** @type {Spot[]} */ (model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean));
             const inLine = at.length > 2 && isStraight(at);
             if (at.length > 1) this.add('bodies', pointer, look, symbols.link(inLine ? ends(at) : at));
-            if (at.length > 1 || body.circle) this.tag(body.name, look, tagPlace(at, this.isBelow(body.name)));
+            if (at.length > 1 || body.circle) this.tag(body.name, look, tags.place(at, this.isBelow(body.name)));
         }
     }
     /**
@@ -209,10 +211,10 @@ export class Canvas {
      * @param {number} turned
      */
     drawWheels(joint, at, turned) {
-        const {model} = /** @type {Scene} */ (this.scene), profiles = joint.form.profiles ?? {};
+        const {model} = /** @type {Scene} */ (this.scene);
         let wheels = 0;
         for (const body of joint.bodies) {
-            const centre = this.spot(profiles[body]?.circle ?? model.bodyNamed(body)?.circle?.centre ?? '');
+            const centre = this.spot(model.centreOf(joint.form, body));
             if (!centre) continue;
             ++wheels;
             this.add(
@@ -290,45 +292,4 @@ export class Canvas {
     over(...marks) {
         this.layers.over.replaceChildren(...marks);
     }
-}
-
-/** @param {Spot[]} at */
-function isStraight(at) {
-    const [a, b] = ends(at),
-        length = distance(a, b) || 1;
-    return at.every(
-        (each) => Math.abs((b[0] - a[0]) * (each[1] - a[1]) - (b[1] - a[1]) * (each[0] - a[0])) / length < 1.5
-    );
-}
-/**
- * The two spots farthest apart.
- * @param {Spot[]} at
- * @returns {[Spot, Spot]}
- */
-function ends(at) {
-    let best = /** @type {[Spot, Spot]} */ ([at[0], at[1]]);
-    for (const a of at) for (const b of at) if (distance(a, b) > distance(...best)) best = [a, b];
-    return best;
-}
-/**
- * Beside the middle of a bar, within a plate.
- * @param {Spot[]} at
- * @param {boolean} isBelow
- * @returns {Spot}
- */
-function tagPlace(at, isBelow) {
-    if (at.length === 0) return [-100, -100];
-    const [a, b] = at.length > 1 ? ends(at) : [at[0], at[0]];
-    if (at.length > 2 && !isStraight(at))
-        return [
-            at.reduce((sum, each) => sum + each[0], 0) / at.length,
-            at.reduce((sum, each) => sum + each[1], 0) / at.length
-        ];
-    const length = distance(a, b) || 1,
-        away = 24,
-        sign = b[0] - a[0] < 0 !== isBelow ? 1 : -1;
-    return [
-        (a[0] + b[0]) / 2 - (sign * away * (b[1] - a[1])) / length,
-        (a[1] + b[1]) / 2 + (sign * away * (b[0] - a[0])) / length
-    ];
 }

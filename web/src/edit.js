@@ -144,6 +144,18 @@ export class Edit {
         return block;
     }
     /**
+     * Takes a point off a body; a hinge that then joins nothing goes.
+     * @param {string} point
+     * @param {string} body
+     */
+    detach(point, body) {
+        const item = this.model.bodyNamed(body), hinge = this.model.hingeAt(point);
+        if (item?.points.includes(point)) this.remove([...item.listPath, item.points.indexOf(point)]);
+        if (!hinge?.bodies.includes(body)) return;
+        if (hinge.bodies.length < 3) this.remove(hinge.path);
+        else this.remove([...hinge.path, 'bodies', hinge.bodies.indexOf(body)]);
+    }
+    /**
      * The pin of a body in the straight slot of another.
      * @param {string} pin
      * @param {string} body
@@ -201,8 +213,7 @@ export class Edit {
      */
     acrossContact(joint, body) {
         const other = joint.bodies.find((each) => each !== body) ?? '', at = this.spots[joint.point];
-        const centre = joint.form.profiles?.[other]?.circle ?? this.model.bodyNamed(other)?.circle?.centre;
-        const from = this.spots[centre];
+        const from = this.spots[this.model.centreOf(joint.form, other)];
         if (!from || !at) return 0;
         return rounded(((Math.atan2(at[1] - from[1], at[0] - from[0]) * 180) / Math.PI + 90) % 180);
     }

@@ -82,6 +82,14 @@ export class Model {
     list(key) {
         return listOf(this.file[key]).map((form, i) => ({form: form ?? {}, path: [key, i], pointer: `/${key}/${i}`}));
     }
+    /**
+     * The centre of the disc that a body shows at a joint; '': none.
+     * @param {any} form of the joint
+     * @param {string} body
+     */
+    centreOf(form, body) {
+        return nameOf(form.profiles?.[body]?.circle) || this.bodyNamed(body)?.circle?.centre || '';
+    }
     /** @param {string} name */
     point(name) {
         return this.points.find((each) => each.name === name);

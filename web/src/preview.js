@@ -29,7 +29,7 @@ export function preview(bench) {
     } else if (!isCross) {
         marks.push(...tag(cursor.says || `${rounded(cursor.at[0])}, ${rounded(cursor.at[1])}`, at));
     }
-    const look = cursor.snapped === 'point' || cursor.snapped === 'bar' ? 'catch' : 'cross';
+    const look = cursor.wheel || /^(point|bar)$/.test(cursor.snapped) ? 'catch' : 'cross';
     marks.unshift(look === 'catch' ? svg('circle', {class: 'catch', cx: at[0], cy: at[1], r: 11}) :
         svg('path', {class: 'cross', d: `M${at[0] - 9} ${at[1]}h18M${at[0]} ${at[1] - 9}v18`}));
     return marks;

@@ -1,15 +1,17 @@
 // What the pointer means: a point that is there, a place exactly on a bar, a whole angle, a node of the grid.
 import {rounded} from './edit.js';
 import {angle, distance} from './placing.js';
+import {word} from './words.js';
 
 /**
  * @typedef {import('./edit.js').Spot} Spot
  * @typedef {import('./edit.js').Spots} Spots
  * @typedef {import('./model.js').Model} Model
  * @typedef {import('./view.js').View} View
+ * @typedef {{body: string, centre: string}} Wheel
  * @typedef {{at: Spot, point: string, bar: {body: string, from: string, to: string} | null, says: string,
- *     snapped: string}} Target
- *     at: where; point: the point that is meant, or ''; bar: the bar on which it lies
+ *     snapped: string, wheel?: Wheel | null}} Target
+ *     at: where; point: the point that is meant, or ''; bar: the bar on which it lies; wheel: the disc on which it lies
  */
 
 const reach = 14, barReach = 9;
@@ -64,6 +66,26 @@ export function barNear(model, spots, view, at) {
 }
 
 /**
+ * The smallest disc of a moving body that holds a place.
+ * @param {Model} model
+ * @param {Spots} spots
+ * @param {Spot} at
+ * @returns {Wheel | null}
+ */
+export function wheelAt(model, spots, at) {
+    let best = null, least = Infinity;
+    for (const {form, point, bodies} of model.joints) {
+        for (const body of bodies.filter((each) => each !== model.frame)) {
+            const centre = model.centreOf(form, body);
+            if (!spots[centre] || !spots[point]) continue;
+            const radius = distance(spots[centre], spots[point]);
+            if (radius < least && distance(spots[centre], at) < radius) [best, least] = [{body, centre}, radius];
+        }
+    }
+    return best;
+}
+
+/**
  * @param {Model} model
  * @param {Spots} spots
  * @param {View} view
@@ -78,7 +100,17 @@ export function snap(model, spots, view, at, {from = null, except = '', isFree =
     const bar = onBars && !isFree ? barNear(model, spots, view, at) : null;
     if (bar) return {at: bar.foot, point: '', bar, says: `${bar.from}${bar.to}`, snapped: 'bar'};
     if (isFree) return {at, point: '', bar: null, says: '', snapped: ''};
-    const {grid} = view;
+    const onGrid = snapToGrid(view, at, from), wheel = onBars ? wheelAt(model, spots, onGrid.at) : null;
+    return wheel ? {...onGrid, wheel, says: word('link', wheel.body)} : onGrid;
+}
+/**
+ * A node of the grid, or a whole angle from where a line begins.
+ * @param {View} view
+ * @param {Spot} at
+ * @param {Spot | null} from
+ * @returns {Target}
+ */
+function snapToGrid({grid}, at, from) {
     /** @type {Spot} */
     const node = [rounded(Math.round(at[0] / grid) * grid), rounded(Math.round(at[1] / grid) * grid)];
     if (from && distance(from, at) > 0) {

@@ -24,8 +24,7 @@ export class Status {
         if (answer.failure) [look, says] = ['bad', word('engine_lost')];
         else if (faults > 0)
             [look, says] = ['bad', `${faults > 1 ? word('faults', faults) : word('one_fault')} ${first}`];
-        else if (answer.values && unsolved > 0)
-            [look, says] = ['open', `${word('not_determined')} ${answer.unsolved[0].what}: ${answer.unsolved[0].why}`];
+        else if (answer.values && unsolved > 0) [look, says] = ['open', this.missing(answer)];
         else if (answer.values && answer.values.length > 0)
             [look, says] = ['good', this.solved(Math.round(inquiry.took))];
         if (status.textContent !== says) status.textContent = says;
@@ -33,6 +32,15 @@ export class Status {
         const remarks = faults > 0 ? [] : answer.remarks;
         advice.replaceChildren(...remarks.slice(0, 4).map((each) => html('li', {}, each)));
         byId('advice-box').hidden = remarks.length === 0 || this.bench.model.points.length === 0;
+    }
+    /**
+     * What is missing: a driver where something is free to move, otherwise what the engine could not determine.
+     * @param {import('./engine.js').Answer} answer
+     */
+    missing({mobility, counts, unsolved: [first]}) {
+        const effective = mobility?.effective ?? 0, free = effective - (counts?.drivers ?? 0);
+        return free > 0 ? `${word('freedom')}: ${word('freedom_free', effective, free)}` :
+            `${word('not_determined')} ${first.what}: ${first.why}`;
     }
     /** @param {number} milliseconds */
     solved(milliseconds) {

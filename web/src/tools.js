@@ -18,7 +18,8 @@ import {barNear} from './snap.js';
 export const pointerTo = (list, key) => Model.pointer([list, key]);
 
 /**
- * The point of a target; where there is none it is made: exactly on a bar, at an angle, or at its coordinates.
+ * The point of a target; where there is none it is made: exactly on a bar, on a wheel, at an angle, or at its
+ * coordinates.
  * @param {Edit} edit
  * @param {Target} target
  * @param {string} [name]
@@ -33,17 +34,14 @@ export function pointAt(edit, target, name, from = '') {
         edit.addPointToBody(made, body);
         return made;
     }
-    if (target.snapped === 'angle' && from)
-        return edit.addPoint(
-            {
-                from,
-                distance: rounded(distance(edit.spots[from], target.at)),
-                angle: rounded(angle(edit.spots[from], target.at))
-            },
-            target.at,
-            name
-        );
-    return edit.addPoint(roundedSpot(target.at), target.at, name);
+    const form = target.snapped === 'angle' && from ? {
+        from,
+        distance: rounded(distance(edit.spots[from], target.at)),
+        angle: rounded(angle(edit.spots[from], target.at))
+    } : roundedSpot(target.at);
+    const made = edit.addPoint(form, target.at, name);
+    if (target.wheel) edit.addPointToBody(made, target.wheel.body);
+    return made;
 }
 
 export class Tool {
@@ -158,7 +156,7 @@ export class GroundTool extends Tool {
     /** @param {Target} target */
     pick(target) {
         this.edit((edit) => {
-            const point = pointAt(edit, target, 'O');
+            const point = pointAt(edit, {...target, wheel: null}, 'O');
             edit.addGround(point);
             return pointerTo('points', point);
         });
@@ -226,8 +224,11 @@ export class SlotTool extends Tool {
         this.pickTwo(target, (edit, first, point) => {
             const moving = (/** @type {string} */ at) =>
                 edit.model.bodiesAt(at).filter((each) => each !== edit.model.frame);
+            // A pin that was drawn on the bar with the slot leaves it: it is another body's.
+            const shared = moving(first).find((each) => moving(point).includes(each));
+            if (shared) edit.detach(first, shared);
             const body = moving(first)[0] ?? edit.addBody([first]);
-            const slotted = moving(point).find((each) => each !== body) ?? edit.addBody([point]);
+            const slotted = shared ?? moving(point).find((each) => each !== body) ?? edit.addBody([point]);
             edit.addSlot(first, body, slotted, point);
             return pointerTo('joints', edit.model.joints.length - 1);
         });
@@ -252,7 +253,7 @@ export class GearTool extends Tool {
                 this.cancel();
                 return pointerTo('points', edit.addWheelOnBar(this.kind, centre, bodyOf(edit, centre), bar));
             });
-        this.pickTwo(target, (edit, first, point) => {
+        this.pickTwo({...target, wheel: null}, (edit, first, point) => {
             const bodies = [first, point].map((each) => bodyOf(edit, each));
             const [a, b] = [edit.spots[first], edit.spots[point]];
             const contact = edit.addPoint(
@@ -287,7 +288,8 @@ function bodyAt(bench, target) {
     const {model} = bench,
         moving = (/** @type {string} */ point) => model.bodiesAt(point).filter((each) => each !== model.frame);
     return (
-        target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ?? ''
+        target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ??
+        target.wheel?.body ?? ''
     );
 }
 export class DriverTool extends Tool {
