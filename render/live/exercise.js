@@ -168,7 +168,10 @@ export class Exercise {
         }
         fill(page.at('try-name'), tasks.flatMap((each, i) => this.done.has(i) ? [] : [[String(i),
             this.nameOf(each)]]), String(this.now));
-        fill(page.at('try-point'), this.choices.pointsKnown(view).map(({name}, i) => [String(i), name]), '0');
+        const points = this.choices.pointsKnown(view).map(({name}) => name);
+        fill(page.at('try-point'), points.map((name, i) => [String(i), name]), '0');
+        for (const label of view.svg.querySelectorAll('g.label.later'))
+            if (points.includes(unscored(label.getAttribute('data-label') ?? ''))) label.classList.remove('later');
         const directions = this.choices.directions().map(({name}, i) => [String(i), name]);
         fill(page.at('try-direction'), [['', page.word('by_hand')], ...directions], '');
         this.pen.layLine(view);

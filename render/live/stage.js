@@ -106,10 +106,19 @@ export class Stage {
         const {page, ofStep} = this, layer = layerOf(name);
         if (this.isApart) return true;
         if (name === 'plot') return page.mode === 'move';
-        if (page.mode === 'try') return name === 'mechanism' || name === page.exercise.view?.info.name;
+        if (page.mode === 'try') return this.isOfTask(name);
         if (!ofStep) return layer === '' || this.chosen.has(layer);
         if (layer === '') return true;
         return this.turned.get(layer) ?? ofStep.has(name);
+    }
+    /**
+     * Of an exercise: the polygon, the mechanism, and its drawing with what the polygon is of, loads among them.
+     * @param {string} name
+     */
+    isOfTask(name) {
+        const polygon = this.page.exercise.view?.info.name;
+        if (name === 'mechanism' || name === polygon) return true;
+        return polygon !== undefined && ofMechanism.test(name) && layerOf(name) === layerOf(polygon);
     }
 
     /** Shows the figures, and brings those that were hidden to the position. */
