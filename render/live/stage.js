@@ -3,7 +3,7 @@
 // are laid on it without what both show.
 
 import {boxOf} from './path.js';
-import {total} from './room.js';
+import {mostRoomy} from './places.js';
 /** @typedef {import('./area.js').Area} Area */
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('./paper.js').FigureInfo} FigureInfo */
@@ -233,8 +233,7 @@ export class Stage {
     /** Columns and rows in which the figures are largest. */
     layOut() {
         const place = /** @type {HTMLElement} */ (this.page.sheet.querySelector('.figures'));
-        const over = this.shown.filter((node) => node.matches('.overlay')),
-            all = this.shown.filter((node) => !over.includes(node));
+        const all = this.shown.filter((node) => !node.matches('.overlay'));
         if (all.length === 0 || place.clientWidth === 0) return;
         // A small screen has room for the figure of the step only.
         const isCrowded = this.ofStep !== null && place.clientWidth * place.clientHeight < leastRoom * all.length;
@@ -242,33 +241,37 @@ export class Stage {
         const main = this.stacked.some(isMain) ? this.stacked : this.shown.filter(isMain);
         for (const {node} of this.allFigures()) node.classList.toggle('aside', isCrowded && !main.includes(node));
         const cells = isCrowded ? all.filter((node) => main.includes(node)) : all;
-        const shapes = cells.map((node) => {
-            const area = node.querySelector('svg')?.getAttribute('viewBox') ?? '';
-            const [, , width, height] = area.split(' ').map(Number);
-            return {width, height,
-                caption: /** @type {HTMLElement | null} */ (node.querySelector('figcaption'))?.offsetHeight ?? 0};
-        });
         const least = this.page.mode === 'steps' && this.ofStep ? 0 : leastHeight;
-        const columns = mostRoomy(shapes, place.clientWidth - 24, place.clientHeight - 8, least);
-        const rows = Math.ceil(cells.length / columns);
-        // Beside another the figure that shows the step is the larger.
-        const inOne = (/** @type {(shape: {width: number, height: number}) => number} */ part) =>
-            shapes.map((shape, i) => Math.min(Math.max(part(shape), 0.5), 2.5) * (cells.length > 1 &&
-                isMain(cells[i]) ? 1.5 : 1));
-        const wide = rows > 1 ? Array(columns).fill(1) : inOne(({width, height}) => width / height);
-        const tall = columns > 1 ? Array(rows).fill(1) : inOne(({width, height}) => height / width);
-        place.style.gridTemplateColumns = wide.map((part) => `minmax(0, ${(100 * part).toFixed()}fr)`).join(' ');
-        place.style.gridTemplateRows = tall.map((part) =>
-            `minmax(${least}px, ${(100 * part).toFixed()}fr) auto`).join(' ');
-        const put = (/** @type {Element} */ node, /** @type {number} */ i) => {
-            /** @type {HTMLElement} */ (node).style.gridArea =
-                `${2 * Math.floor(i / columns) + 1} / ${i % columns + 1} / span 2 / span 1`;
-        };
-        cells.forEach(put);
-        for (const node of over) put(node, cells.indexOf(this.stacked[0]));
+        // A caption takes more lines in a narrow column: the places are chosen anew until captions are as they were.
+        for (let round = 0, before = ''; round < 4; ++round) {
+            const shapes = cells.map((node) => cellShape(node, isMain(node)));
+            const captions = shapes.map(({caption}) => caption).join();
+            if (captions === before) break;
+            before = captions;
+            const {clientWidth, clientHeight} = place;
+            this.put(place, cells, mostRoomy(shapes, clientWidth - 24, clientHeight - 8, least, !this.ofStep), least);
+        }
         // So that keys can scroll it.
         if (place.scrollHeight > place.clientHeight + 1) place.tabIndex = 0;
         else place.removeAttribute('tabindex');
+    }
+    /**
+     * @param {HTMLElement} place
+     * @param {Element[]} cells
+     * @param {import('./places.js').Places} places
+     * @param {number} least height of a figure
+     */
+    put(place, cells, {wide, tall, at}, least) {
+        const parts = (/** @type {number[]} */ all) => all.map((part) => (100 * part).toFixed());
+        place.style.gridTemplateColumns = parts(wide).map((part) => `minmax(0, ${part}fr)`).join(' ');
+        place.style.gridTemplateRows = parts(tall).map((part) => `minmax(${least}px, ${part}fr) auto`).join(' ');
+        const set = (/** @type {Element} */ node, /** @type {number} */ i) => {
+            const [row, column, rows] = at[i], {style} = /** @type {HTMLElement} */ (node);
+            style.gridArea = `${2 * row + 1} / ${column + 1} / span ${2 * rows} / span 1`;
+        };
+        cells.forEach(set);
+        const under = cells.indexOf(this.stacked[0]);
+        for (const node of under < 0 ? [] : this.stacked.slice(1)) set(node, under);
     }
 }
 
@@ -278,22 +281,12 @@ function labelsOf(drawing) {
 }
 
 /**
- * The number of columns with which figures of these shapes are largest, in the mean of their logarithms.
- * @param {{width: number, height: number, caption: number}[]} shapes
- * @param {number} width
- * @param {number} height
- * @param {number} least height of a figure
+ * @param {Element} node
+ * @param {boolean} isMain
  */
-function mostRoomy(shapes, width, height, least) {
-    let best = 1, most = -Infinity;
-    for (let columns = 1; columns <= shapes.length; ++columns) {
-        const rows = Math.ceil(shapes.length / columns);
-        const sizes = shapes.map((shape) => {
-            const tall = Math.max(height / rows - shape.caption, least, 1);
-            return Math.log(Math.min(width / columns / shape.width, tall / shape.height));
-        });
-        const size = total(sizes);
-        if (size > most) [best, most] = [columns, size];
-    }
-    return best;
+function cellShape(node, isMain) {
+    const area = node.querySelector('svg')?.getAttribute('viewBox') ?? '';
+    const [, , width, height] = area.split(' ').map(Number);
+    const caption = /** @type {HTMLElement | null} */ (node.querySelector('figcaption'))?.offsetHeight ?? 0;
+    return {width, height, caption, isMain};
 }
