@@ -69,6 +69,16 @@ std::string name_of(const Solution& solution, FigureId id) {
     return std::string(row.key) + (row.rest == nullptr ? "" : row.rest(solution, id));
 }
 
+std::optional<BodyIndex> free_body_in(const Solution& solution, FigureId id) {
+    if (id.kind != FigureKind::free_body) return std::nullopt;
+    return free_body_of(LoadCase(solution, id.part), id).body;
+}
+
+std::string prefix_of_load(const Solution& solution, FigureId id) {
+    const std::string of = of_load({solution, id.part});
+    return of.empty() ? "" : of.substr(1) + "-";
+}
+
 Figure begun(const DrawingContext& context, FigureId id) {
     const FigureRow& row = row_of(id.kind);
     Figure figure;

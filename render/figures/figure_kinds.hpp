@@ -87,6 +87,28 @@ struct FigureFunctions {
     Figure (*enrich)(const Shown&, FigureId, const Figure& plain, Spot room) = nullptr;
 };
 
+/// What a figure is in the live page. The page decides by these, and never by names.
+struct InPage {
+    /// Whether the marks say what they belong to, and move with that.
+    enum class Marks : std::uint8_t {
+        by_id,        ///< they are known by their ids, or by the polygon that they draw
+        if_said,      ///< if some say it
+        always_said,  ///< all of them
+    };
+    /// What a reader constructs who tries the figure.
+    enum class Tasks : std::uint8_t { none, sides, forces };
+
+    std::string_view layer = "others";  ///< turns it on; empty: it is always shown
+    bool is_mechanism = false;          ///< shows points in their places
+    bool is_stacked = false;            ///< laid on the other drawings of the whole mechanism
+    Marks marks = Marks::by_id;
+    Tasks tasks = Tasks::sides;
+    bool is_lever = false;            ///< its rays turn with velocities, and its scale with it
+    bool is_of_one = false;           ///< shows one body, larger than a figure of several
+    bool may_rest = false;            ///< what belongs to no force stays true where nothing moves
+    std::string_view vectors_like{};  ///< id of the polygon whose vectors it repeats; empty: its own
+};
+
 /// A kind of figure.
 struct FigureRow {
     FigureKind kind{};
@@ -100,6 +122,7 @@ struct FigureRow {
     FigureTraits traits{};
     std::array<std::string_view, 2> scales{};  ///< keys of its scale in the file; the first one present counts
     SizeWanted size{};
+    InPage in_page{};
     const FigureFunctions* by = nullptr;  ///< null: it is drawn beside steps only
 };
 
@@ -113,6 +136,10 @@ void measure_mechanism(const Shown& shown, FigureId id, SizeWanted& size);
 
 /// Its name for --figure: "velocity", "curvature-3", "body-2-load-K".
 std::string name_of(const Solution& solution, FigureId id);
+/// The body whose free body it is; none of that of a pin. Null: it is not a free body.
+std::optional<BodyIndex> free_body_in(const Solution& solution, FigureId id);
+/// What the ids in a figure of one load begin with; empty: it shows all loads.
+std::string prefix_of_load(const Solution& solution, FigureId id);
 /// A figure with its traits, the id of its group and the first words of its caption; without marks.
 Figure begun(const DrawingContext& context, FigureId id);
 /// The scale that the file prescribes for figures of a kind, SI units per mm.

@@ -261,7 +261,7 @@ export class Drive {
         if ((motion.isDrawn && !motion.isOwn) || !canFollow) {
             view.restore();
             // So that a path is fully visible, and the figure stays in place when the motion begins.
-            if (view.info.name === 'mechanism' && this.page.traces.isTraced)
+            if (view.info.layer === '' && this.page.traces.isTraced)
                 view.svg.setAttribute('viewBox', this.rooms.of(view).join(' '));
             view.held?.take(false);
             view.labels.placed.makeWay();

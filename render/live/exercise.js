@@ -58,7 +58,7 @@ export class Exercise {
     }
     /** @param {FigureView} view */
     tasksOf(view) {
-        return tasksOf(view, (statement) => this.unknownIn(statement, /^(forces|parts)/.test(view.id)));
+        return tasksOf(view, (statement) => this.unknownIn(statement, view.info.findsForces === true));
     }
     /**
      * Reads the table under a sentence, a row for each term: its sign, name, whether its magnitude is known, whether
@@ -84,7 +84,7 @@ export class Exercise {
     /** Polygons with at least one task. */
     get polygons() {
         const all = this.page.figures.filter(
-            (view) => !view.isMechanism && !view.isHeld && view.follows && view.id !== 'closure',
+            (view) => !view.isMechanism && !view.isHeld && view.follows && !view.info.hasNoTasks,
         );
         return all.filter((view) => all.find(({id}) => id === view.id) === view && this.tasksOf(view).length > 0);
     }

@@ -184,7 +184,7 @@ export class FigureView extends Paper {
         if (this.isBound) return;
         this.isBound = true;
         // Where nothing moves, what is bound to no force stays true.
-        this.svg.classList.toggle('rests', this.motion.isStill && this.info.name === 'truss');
+        this.svg.classList.toggle('rests', this.motion.isStill && this.info.mayRest === true);
         this.bindHeld();
         this.labels.bindLabels();
         for (const node of [...this.svg.children, ...this.group.children]) this.lines.bindScaleBar(node);
@@ -207,7 +207,7 @@ export class FigureView extends Paper {
                 (each) => each.getAttribute('data-label') ?? '',
             );
             const said = new Set(labels.flatMap((each) => each.split(' ≡ ')));
-            const body = names.bodies.findIndex(({id}) => this.info.name === `body-${id}`);
+            const body = names.bodies.findIndex(({id}) => this.info.freeBody === id);
             const points = names.points.flatMap(({label}, i) =>
                 motion.data.points[i][0] === body || said.has(label) ? [i] : []);
             this.own = points.length > 0 ? {points, middle: this.middleOf(points)} : null;

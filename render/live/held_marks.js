@@ -37,7 +37,7 @@ export class HeldMarks {
     /** @param {FigureView} view its places must be known */
     constructor(view) {
         this.view = view;
-        this.isLever = view.info.name === 'joukowsky';
+        this.isLever = view.info.isLever === true;
         /** Of forces drawn to scale: N for a mm, as drawn and now; the unit in N of the text of the scale. */
         this.drawnScale = 1;
         this.scale = 1;

@@ -103,8 +103,7 @@ export class LinkBinder {
         const said = node.getAttribute('data-id') ?? '',
             {info} = this.view,
             free = this.view.isFree ? `${info.name}-` : '';
-        const load = info.name.match(/^lines-(load-.*)/)?.[1],
-            prefixes = ['', 'velocities-', `${info.name}-`, free, `${load}-`];
+        const prefixes = ['', `${info.name}-`, free, info.prefix ?? ''];
         return list.findIndex(({id}) => prefixes.some((prefix) => said === `${prefix}${kind}-${id}`));
     }
     /** @param {Element} node */

@@ -260,8 +260,29 @@ void write_names(const Solution& solution, JsonWriter& json) {
     json.close().close();
 }
 
-void write_figure(const AloneFigure& figure, JsonWriter& json) {
+void write_figure(const AloneFigure& figure, const Solution& solution, JsonWriter& json) {
     json.open('{').member("name", figure.name);
+    const InPage in_page = figure.id ? row_of(figure.id->kind).in_page : InPage{};
+    json.member("layer", std::string(in_page.layer));
+    const auto flag = [&](const char* name, bool is_set) {
+        if (is_set) json.member(name, true);
+    };
+    flag("isMechanism", in_page.is_mechanism);
+    flag("isStacked", in_page.is_stacked && figure.id->part == all_loads);
+    flag("isHeld", in_page.marks == InPage::Marks::always_said);
+    flag("mayBeHeld", in_page.marks == InPage::Marks::if_said);
+    flag("hasNoTasks", in_page.tasks == InPage::Tasks::none);
+    flag("findsForces", in_page.tasks == InPage::Tasks::forces);
+    flag("isLever", in_page.is_lever);
+    flag("isOfOne", in_page.is_of_one);
+    flag("mayRest", in_page.may_rest);
+    if (!in_page.vectors_like.empty()) json.member("vectorsLike", std::string(in_page.vectors_like));
+    if (figure.id) {
+        if (const auto body = free_body_in(solution, *figure.id))
+            json.member("freeBody", *body == none ? "" : legal_id(solution.mechanism.body(*body).name));
+        if (const std::string prefix = prefix_of_load(solution, *figure.id); !prefix.empty())
+            json.member("prefix", prefix);
+    }
     json.key("origin").open('[').values(figure.origin.x, figure.origin.y).close();
     if (figure.places > 0) json.member("places", figure.places);
     json.key("labels").open('[');

@@ -19,8 +19,8 @@ namespace kinegraph::render {
 void write_moving(const Moving& moving, const Solution& solution, JsonWriter& json);
 /// The member "names": meaning of the ids and labels in figures.
 void write_names(const Solution& solution, JsonWriter& json);
-/// Data of a figure: position, scale, and the names in its labels, in drawing order.
-void write_figure(const AloneFigure& figure, JsonWriter& json);
+/// Data of a figure: what it is in the page, position, scale, and the names in its labels, in drawing order.
+void write_figure(const AloneFigure& figure, const Solution& solution, JsonWriter& json);
 /// The member "words": those of the page in its languages.
 void write_words(Language asked, JsonWriter& json);
 /// The languages between which the reader of a page changes: the one asked for, and English; with English, Italian.

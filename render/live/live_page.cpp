@@ -220,7 +220,7 @@ private:
         std::string out;
         for (AloneFigure& figure : drawn) {
             figure.page.tells_holds = true;
-            write_figure(figure, data_);
+            write_figure(figure, solution_, data_);
             const std::string svg =
                 drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);
             std::string caption = html(figure.caption);

@@ -6,7 +6,11 @@ import {apart, minus} from './path.js';
 /** @typedef {import('./types.js').Spot} Spot */
 
 /**
- * @typedef {{name: string, origin: [number, number], places?: number, labels: string[][]}} FigureInfo
+ * @typedef {{name: string, layer: string, origin: [number, number], places?: number, labels: string[][],
+ *   isMechanism?: boolean, isStacked?: boolean, isHeld?: boolean, mayBeHeld?: boolean, hasNoTasks?: boolean,
+ *   findsForces?: boolean, isLever?: boolean, isOfOne?: boolean, mayRest?: boolean, vectorsLike?: string,
+ *   freeBody?: string, prefix?: string}} FigureInfo
+ *   as InPage in the table of figures; freeBody: id of its body, empty for a pin
  * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points:
  *   number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies:
@@ -44,13 +48,11 @@ export class Paper {
         /** @type {number} */
         this.scale = this.drawnScale;
         /** A free body, or a free pin. */
-        this.isFree = /^(body|pin)-/.test(info.name);
+        this.isFree = info.freeBody !== undefined;
         /** Whether its marks say what they belong to. */
-        this.isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name) ||
-            (/^(moving-axes|displacements|(loops|truss)$)/.test(info.name) &&
-                group.querySelector('[data-on]') !== null);
-        this.isMechanism =
-            ['mechanism', 'centres', 'velocities'].includes(info.name) || (this.isHeld && info.name !== 'joukowsky');
+        this.isHeld = info.isHeld === true ||
+            (info.mayBeHeld === true && group.querySelector('[data-on]') !== null);
+        this.isMechanism = info.isMechanism === true || (this.isHeld && !info.isLever);
         /** SI units of the quantity for a mm of a vector; a drawing of the mechanism may show vectors. */
         this.vectorScale = this.drawnScale;
         if (this.isMechanism) this.drawnScale = this.scale = info.places ?? 1;
@@ -128,7 +130,7 @@ export class Paper {
         let found = this.plans.get(plan);
         if (found) return found;
         const own = this.isMechanism ? '' : this.id, drawn = this.motion.data.plans[plan];
-        const from = this.info.name === 'velocities' ? 'velocity' : this.id;
+        const from = this.info.vectorsLike ?? this.id;
         const vectors = drawn?.vectors ?? [], spots = drawn?.spots ?? [], lines = drawn?.lines ?? [];
         found = {
             vectors: new Map(),

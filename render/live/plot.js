@@ -218,7 +218,7 @@ export class Traces {
     /** @param {number} point */
     drawTrace(point) {
         const {page} = this, path = page.pathOf(point);
-        for (const view of page.figures.filter(({info}) => info.name === 'mechanism')) {
+        for (const view of page.figures.filter(({info}) => info.layer === '')) {
             const group = drawn(view.svg, 'g', {class: 'trace'});
             const spots = path.map((at) => view.paper(at)).map(({x, y}) => `${x.toFixed(3)} ${y.toFixed(3)}`);
             drawn(group, 'path', {d: `M${spots.join('L')}`});

@@ -8,35 +8,26 @@ import {mostRoomy} from './places.js';
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('./paper.js').FigureInfo} FigureInfo */
 
-/** Layers by the names of their figures, in the order in which they are offered. */
-const layerPatterns = /** @type {[string, RegExp][]} */ ([
-    ['centres', /^centres$/],
-    ['velocities', /^velocit/],
-    ['accelerations', /^acceleration/],
-    ['curvature', /^curvature-/],
-    ['forces', /^(lines-of-action|forces|truss|cremona|closure$)/],
-    ['bodies', /^(body|pin)-/],
-    ['lever', /^joukowsky$/],
-]);
-/** Figures that are drawings of the whole mechanism. */
-export const ofMechanism = /^(mechanism|centres|velocities|lines-of-action|truss)$|^curvature-/;
+/** @typedef {{node: HTMLElement, name: string, info: FigureInfo}} Staged */
+
+/**
+ * A plot is no figure of the solution.
+ * @type {FigureInfo}
+ */
+const plot = {name: 'plot', layer: 'others', origin: [0, 0], labels: []};
 /** A figure is not shown lower than this, px; then the stage scrolls. Figures of steps share what there is. */
 const leastHeight = 150;
 /** Area for each figure of a step, px²; with less only the one that shows the step is there. */
 const leastRoom = 36000;
 
-/** @param {string} name of a figure */
-function layerOf(name) {
-    return name === 'mechanism' ? '' : layerPatterns.find(([, pattern]) => pattern.test(name))?.[0] ?? 'others';
-}
-
 export class Stage {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
-        const all = this.allFigures().map(({name}) => layerOf(name));
-        /** Layers that there are. */
-        this.layers = [...layerPatterns.map(([layer]) => layer), 'others'].filter((layer) => all.includes(layer));
+        const all = new Set(this.allFigures().map(({info}) => info.layer).filter((layer) => layer !== ''));
+        const isLast = all.delete(plot.layer);
+        /** Layers that there are, in the order in which they are offered. */
+        this.layers = [...all, ...isLast ? [plot.layer] : []];
         const first = ['velocities', 'accelerations'].filter((layer) => this.layers.includes(layer));
         const next = this.layers.includes('forces') ? ['forces'] : this.layers;
         /** Layers that the reader has turned on. */
@@ -67,15 +58,21 @@ export class Stage {
         window.addEventListener('afterprint', () => this.setApart(false));
         document.addEventListener('languagechosen', () => this.showChips());
     }
-    /** The figures of the current sheet. */
+    /**
+     * The figures of the current sheet; the plot stands after those that have data.
+     * @returns {Staged[]}
+     */
     allFigures() {
-        return [...this.page.sheet.querySelectorAll('.figures > figure')].map((node) =>
-            ({node: /** @type {HTMLElement} */ (node), name: node.getAttribute('data-figure-name') ?? 'plot'}));
+        const {page} = this, infos = page.data.figures[page.language];
+        return [...page.sheet.querySelectorAll('.figures > figure')].map((node, i) => {
+            const info = infos[i] ?? plot;
+            return {node: /** @type {HTMLElement} */ (node), name: info.name, info};
+        });
     }
     /** @param {string} layer */
     isOn(layer) {
         if (!this.ofStep) return this.chosen.has(layer);
-        const shows = [...this.ofStep].some((name) => layerOf(name) === layer);
+        const {ofStep} = this, shows = this.allFigures().some(({info}) => info.layer === layer && ofStep.has(info.name));
         return this.turned.get(layer) ?? shows;
     }
     /** @param {string} layer */
@@ -101,34 +98,34 @@ export class Stage {
         if (!isSame) this.turned.clear();
         this.show();
     }
-    /** @param {string} name */
-    isShown(name) {
-        const {page, ofStep} = this, layer = layerOf(name);
+    /** @param {FigureInfo} info */
+    isShown(info) {
+        const {page, ofStep} = this, {name, layer} = info;
         if (this.isApart) return true;
-        if (name === 'plot') return page.mode === 'move';
-        if (page.mode === 'try') return this.isOfTask(name);
+        if (info === plot) return page.mode === 'move';
+        if (page.mode === 'try') return this.isOfTask(info);
         if (!ofStep) return layer === '' || this.chosen.has(layer);
         if (layer === '') return true;
         return this.turned.get(layer) ?? ofStep.has(name);
     }
     /**
      * Of an exercise: the polygon, the mechanism, and its drawing with what the polygon is of, loads among them.
-     * @param {string} name
+     * @param {FigureInfo} info
      */
-    isOfTask(name) {
-        const polygon = this.page.exercise.view?.info.name;
-        if (name === 'mechanism' || name === polygon) return true;
-        return polygon !== undefined && ofMechanism.test(name) && layerOf(name) === layerOf(polygon);
+    isOfTask(info) {
+        const polygon = this.page.exercise.view?.info;
+        if (info.layer === '' || info.name === polygon?.name) return true;
+        return info.isStacked === true && info.layer === polygon?.layer;
     }
 
     /** Shows the figures, and brings those that were hidden to the position. */
     show() {
         const {page} = this, all = this.allFigures();
-        for (const {node, name} of all) node.classList.toggle('shown', this.isShown(name));
+        for (const {node, info} of all) node.classList.toggle('shown', this.isShown(info));
         if (!this.isApart) this.showMechanism(all);
         const shown = all.filter(({node}) => node.matches('.shown'));
         this.shown = [true, false].flatMap((isFirst) =>
-            shown.filter(({name}) => ofMechanism.test(name) === isFirst).map(({node}) => node));
+            shown.filter(({info}) => (info.isStacked === true) === isFirst).map(({node}) => node));
         this.showChips();
         this.stack(all);
         this.layOut();
@@ -136,11 +133,11 @@ export class Stage {
     }
     /**
      * The bare mechanism stands alone or under a layer that does not name its points.
-     * @param {{node: HTMLElement, name: string}[]} all
+     * @param {Staged[]} all
      */
     showMechanism(all) {
-        const bare = all.find(({name}) => name === 'mechanism')?.node, known = new Set(bare ? labelsOf(bare) : []);
-        const over = all.filter(({node, name}) => node !== bare && ofMechanism.test(name) && node.matches('.shown'));
+        const bare = all.find(({info}) => info.layer === '')?.node, known = new Set(bare ? labelsOf(bare) : []);
+        const over = all.filter(({node, info}) => node !== bare && info.isStacked && node.matches('.shown'));
         const names = over.some(({node}) => labelsOf(node).filter((label) =>
             known.has(label)).length >= known.size / 2);
         bare?.classList.toggle('shown', over.length === 0 || (!names && this.infoOf(bare).places !== undefined));
@@ -162,9 +159,9 @@ export class Stage {
 
     // --- drawings of the mechanism on each other ---------------------------------------------------------------------
 
-    /** @param {{node: HTMLElement, name: string}[]} all */
+    /** @param {Staged[]} all */
     stack(all) {
-        const drawings = all.filter(({node, name}) => ofMechanism.test(name) && node.matches('.shown'));
+        const drawings = all.filter(({node, info}) => info.isStacked && node.matches('.shown'));
         const placed = this.isApart ? [] : drawings.filter(({node}) => this.infoOf(node).places);
         this.stacked = placed.length > 1 ? placed.map(({node}) => node) : [];
         const [under, ...over] = this.stacked, known = new Set(under ? labelsOf(under) : []);

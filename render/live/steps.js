@@ -1,8 +1,8 @@
 // Reading step by step: which sentence and which strokes are shown, and in which figures.
 
 import {fill} from './exercise.js';
-import {ofMechanism} from './stage.js';
 /** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('./stage.js').Staged} Staged */
 
 export class Steps {
     /** @param {Page} page */
@@ -124,9 +124,9 @@ export class Steps {
     /** @param {HTMLElement | null} sentence */
     showFigures(sentence) {
         const {page} = this, figures = sentence ? this.figuresOf(sentence) : [];
-        const all = page.stage.allFigures(), last = figures[figures.length - 1] ?? 'mechanism';
+        const all = page.stage.allFigures(), last = figures[figures.length - 1];
         for (const node of page.sheet.querySelectorAll('[data-shows]')) node.removeAttribute('data-shows');
-        if (sentence) (all.find(({name}) => name === last) ?? all[0])?.node.setAttribute('data-shows', 'step');
+        if (sentence) (all.find(({name, info}) => last ? name === last : info.layer === '') ?? all[0])?.node.setAttribute('data-shows', 'step');
         page.stage.take(sentence ? new Set(figures) : null);
     }
     /**
@@ -142,7 +142,7 @@ export class Steps {
         /** @type {{name: string, count: number, isNow: boolean}[]} */
         const found = [];
         for (const isMechanism of [true, false]) {
-            const some = all.filter(({name}) => ofMechanism.test(name) === isMechanism);
+            const some = all.filter(({info}) => (info.isStacked === true) === isMechanism);
             for (let i = here; i >= 0; --i) {
                 const best = mostDrawn(some, own[i]);
                 if (best) found.push({...best, isNow: i === here});
@@ -170,17 +170,17 @@ export class Steps {
 
 /**
  * The figure with the most strokes of a sentence; of several with as many that of a body which it speaks of.
- * @param {{node: Element, name: string}[]} figures
+ * @param {Staged[]} figures
  * @param {HTMLElement} sentence
  */
 function mostDrawn(figures, sentence) {
     const bodies = (sentence.dataset.bodies ?? '').split(' ');
-    const counted = figures.map(({node, name}) => ({
+    const counted = figures.map(({node, name, info}) => ({
         name,
         count: node.querySelectorAll(`[data-statement="${sentence.dataset.says}"]`).length
-            + (bodies.some((body) => name === `body-${body}`) ? 0.5 : 0),
+            + (info.freeBody && bodies.includes(info.freeBody) ? 0.5 : 0),
         // The polygon of one body alone is larger than beside those of others.
-        isOfOne: /^forces-/.test(name),
+        isOfOne: info.isOfOne === true,
     })).filter(({count}) => count >= 1);
     return counted.sort((a, b) => Number(b.isOfOne) - Number(a.isOfOne) || b.count - a.count)[0];
 }

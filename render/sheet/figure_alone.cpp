@@ -41,7 +41,7 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
                  plain(figure.caption);
     page.language = code_of(context.language);
     page.marks = std::move(figure.marks);
-    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places};
+    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places, {}};
 }
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
@@ -97,8 +97,10 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
     }
     const WantedFigures wanted(context, options.joukowsky, options.detail, options.superposed);
     for (const FigureId id : choices(wanted))
-        if (!row_of(id.kind).size.spare && !wanted.is_replaced(id))
+        if (!row_of(id.kind).size.spare && !wanted.is_replaced(id)) {
             add(name_of(solution, id), drawn_alone(wanted, id, {2 * format.measure + gap, tallest_alone}));
+            all.back().id = id;
+        }
     for (const std::string& name : contact_figure_names(solution, options, fonts))
         if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone}))
             add(name, *std::move(figure));
