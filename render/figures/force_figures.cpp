@@ -10,6 +10,7 @@
 #include "engine/solution/shifts.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/figures/caption.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/figures/fit.hpp"
@@ -36,6 +37,7 @@ Holds at_place(std::string place) { return {Form::at, {std::move(place)}}; }
 Holds on_force(Form form, const std::string& force) { return {form, {force, force}}; }
 
 double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.to_double(); }
+double near_a_line(const Sketch& sketch) { return near_a_line(sketch.subject.solution); }
 
 /// The number of forces of a body whose lines pass within `near` of a point (m, y downwards).
 int lines_through(const FreeBody& body, Spot place, double near) {
@@ -99,6 +101,7 @@ std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& bo
 /// downwards).
 struct FreeExtent {
     Box own, all;
+    Box reach;  ///< the body with the places of all forces and arms
 };
 FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
     const std::vector<PointIndex> points = points_of(subject.mechanism, body);
@@ -113,21 +116,27 @@ FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
             box.include(around);
         }
     const Box own = box;
+    Box reach = own;
     const double size = std::max(own.width(), own.height());
-    for (const AppliedForce& applied : body.forces)
-        if (const Spot at = paper_spot(applied.at);
-            length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size()))
-            box.include(at);
+    for (const AppliedForce& applied : body.forces) {
+        const Spot at = paper_spot(applied.at);
+        if (!applied.force.is_zero()) reach.include(at);
+        if (length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size())) box.include(at);
+    }
     // Points of concurrency are the purpose of the figure: it may become smaller for them, but not too small.
     constexpr double growth = 1.8;
     std::vector<Spot> places;
     for (const FreeBody::Meet& meet : shown_meets(subject.solution, body)) places.push_back(paper_spot(meet.place));
     for (const FreeBody::Arm& arm : body.arms)
-        for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)}) places.push_back(end);
+        for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)}) {
+            places.push_back(end);
+            reach.include(end);
+        }
+    for (const AppliedForce& sum : body.sums) reach.include(paper_spot(sum.at));
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
     box = with_near_places(box, std::move(places), growth * std::max(size, 0.1 * subject.size()));
     if (body.funicular) include_strings(box, *body.funicular, near);
-    return {own, box};
+    return {own, box, reach};
 }
 
 // --- lines of action and their intersections
@@ -164,8 +173,10 @@ LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot a
 void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex statement, const std::string& place) {
     LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement, place);
     for (LabelRequest& label : sketch.labels) {
-        if (label.balloon > 0 || label.toward || length(label.anchor - at) > same_place) continue;
-        // The intersection coincides with a named point.
+        if (label.size < sketch.theme.label || label.balloon > 0 || label.toward ||
+            length(label.anchor - at) > near_a_line(sketch) / sketch.scale())
+            continue;
+        // The intersection coincides with a named point, not only on paper.
         append(label.text, one_piece(" ≡ "));
         append(label.text, own.text);
         return;
@@ -450,7 +461,8 @@ public:
                 draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
         // Where no force is seen, the figure is narrow: the couples have their names only, the table their values.
-        const bool says_couples = std::any_of(body_.forces.begin(), body_.forces.end(),
+        const bool says_couples =
+            scale_.says_values && std::any_of(body_.forces.begin(), body_.forces.end(),
                                               [this](const AppliedForce& each) { return is_seen(each.force); });
         for (const AppliedForce& applied : body_.forces) {
             const std::string held = force_binding(load_, body_, applied);
@@ -529,10 +541,25 @@ private:
                 best.offer(price + 3 * overlaps(tried, at, along), tried);
                 if (slid || pulls != outwards || !reads_as_one(tried, standing_)) continue;
                 for (const double side : {beside_an_arrow, -beside_an_arrow})
-                    if (const Bar beside = moved(tried, side * turned(along)); !reads_as_one(beside, standing_))
+                    if (const Bar beside = moved(tried, side * turned(along));
+                        !reads_as_one(beside, standing_) && keeps_its_side(applied, side * turned(along)))
                         best.offer(price + 0.3, beside);
             }
         return best.choice;
+    }
+    /// Whether an arrow moved aside turns about the points of the body, and those where other forces act, in the sense
+    /// in which its force does.
+    bool keeps_its_side(const AppliedForce& applied, Spot aside) const {
+        const Spot along = paper_direction(applied.force), at = paper_spot(applied.at);
+        const auto keeps = [&](Spot point) {
+            const double arm = cross(along, point - at);
+            return std::abs(arm) < near_a_line(sketch_) || arm * (arm - sketch_.scale() * cross(along, aside)) > 0;
+        };
+        const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
+        return std::all_of(points.begin(), points.end(),
+                           [&](PointIndex point) { return keeps(sketch_.subject.points[at_index(point)]); }) &&
+               std::all_of(body_.forces.begin(), body_.forces.end(),
+                           [&](const AppliedForce& other) { return keeps(paper_spot(other.at)); });
     }
     std::vector<Bar> standing_on(Spot at, Spot along) const {
         std::vector<Bar> there;
@@ -854,6 +881,19 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
 
 namespace {
 
+/// Of a free body without its forces, mm across. Names and arrows keep their size: a smaller body gains little space
+/// for them, and the places of its forces would become one. Only forces that act far from it make it smaller.
+constexpr double least_of_free_body = 12, most_of_reach = 8;
+
+double across(const Box& box) { return nearest::hypot(box.width(), box.height()); }
+
+/// The coarsest scale of the series at which an extent has at least this many mm.
+double coarsest_scale(double extent, double least) {
+    double scale = choose_scale(extent, 0, least, least, std::nullopt);
+    while (extent / scale < least) scale = finer_scale(scale);
+    return scale;
+}
+
 /// With its points of application and near points of concurrency, m.
 Box extent_of_free_body(const LoadCase& loads, std::size_t index) {
     return extent_of_body(Subject(loads.solution()), loads.bodies()[index]).all;
@@ -871,7 +911,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
     const Figure blank = begun(context, {FigureKind::free_body, static_cast<int>(index), part});
     Subject subject(solution);
-    const auto [own_box, box] = extent_of_body(subject, body);
+    const auto [own_box, box, reach_box] = extent_of_body(subject, body);
     subject.box = box;
     show_only(subject, body);
 
@@ -882,31 +922,43 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const auto asked = asked_scale(mechanism, FigureKind::free_body);
     const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
     constexpr double roomy = 80;
-    const ForceScale forces{si,
-                            asked         ? *asked / si
-                            : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
-                                          : 1,
-                            room_x >= roomy, at_pairs};
-    const double around = std::min(30.0, longest / si / forces.per_millimetre);
+    ForceScale forces{si,
+                      asked         ? *asked / si
+                      : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
+                                    : 1,
+                      room_x >= roomy, at_pairs};
     // A single block has no length; any scale would do.
-    const bool has_length = std::max(own_box.width(), own_box.height()) > 0;
-    const double start =
-        has_length ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
-                                  std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
-                   : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-    // Names keep their size, so that a smaller body gains little space for them and shows nothing.
-    constexpr double least_shown = 0.05;  // mm
-    const double extent = has_length ? std::max(box.width(), box.height()) : 0;
-    return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
-               [&](const Trial& trial) {
-                   Sketch sketch(subject, context, trial.scale, blank.id + "-");
-                   FreeBodyDrawing(sketch, loads, body, forces).draw();
-                   Figure figure = sketch.finish(blank, unit.symbol);
-                   figure.scale = forces.per_millimetre;
-                   figure.caption = caption_of(context, body, name, load);
-                   sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit);
-                   return figure;
-               });
+    const bool has_length = across(own_box) > 0;
+    const double extent = has_length ? std::max(across(own_box), across(reach_box) / most_of_reach) : 0;
+    const auto drawn = [&] {
+        const double around = std::min(30.0, longest / si / forces.per_millimetre);
+        const double start = has_length
+                                 ? std::min(choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
+                                                         std::max(room_x - around, 10.0),
+                                                         std::max(room_y - around - 12, 10.0), std::nullopt),
+                                            coarsest_scale(extent, least_of_free_body))
+                                 : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
+        return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_of_free_body},
+                   [&](const Trial& trial) {
+                       Sketch sketch(subject, context, trial.scale, blank.id + "-");
+                       FreeBodyDrawing(sketch, loads, body, forces).draw();
+                       Figure figure = sketch.finish(blank, unit.symbol);
+                       figure.scale = forces.per_millimetre;
+                       if (has_length) figure.further_scale = ratio_words(figure.places, context.language);
+                       figure.caption = caption_of(context, body, name, load);
+                       sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit, trial.last);
+                       return figure;
+                   });
+    };
+    Figure figure = drawn();
+    // Where the body has no room beside its forces, these become shorter, not the body.
+    constexpr double least_of_longest = 12;  // mm
+    while (has_length && !asked && (figure.box.width() > room_x || figure.box.height() > room_y) &&
+           longest / si / next_scale(forces.per_millimetre) >= least_of_longest) {
+        forces.per_millimetre = next_scale(forces.per_millimetre);
+        figure = drawn();
+    }
+    return figure;
 }
 
 bool has_meets(const LoadCase& loads, bool of_several) {
