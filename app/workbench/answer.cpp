@@ -60,6 +60,7 @@ public:
         if (wants("words")) add_words();
         if (wants("policy")) add_policy();
         if (text_.empty()) return answer_;
+        if (wants("import")) return imported();
         const auto file = MechanismFile::parse(text_, name_, options_.set);
         if (!file) {
             add_faults(file.error(), text_);
@@ -157,6 +158,16 @@ private:
         answer_["policy"] = {{"script", source("script-src")}, {"style", source("style-src")}};
     }
 
+    Json imported() {
+        const auto taken = import_pmks(text_);
+        if (!taken) {
+            add_faults(taken.error(), "");
+            return answer_;
+        }
+        answer_["imported"] = taken->file;
+        add_texts("remarks", taken->remarks);
+        return answer_;
+    }
     void add_cycle(const MechanismFile& file) {
         auto sweep = Sweep::of(file);
         if (!sweep) return add_faults(sweep.error(), text_);

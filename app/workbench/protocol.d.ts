@@ -25,6 +25,8 @@ export type Want =
     | 'geogebra'
     /** `live`: the live page, one HTML document with its own Content-Security-Policy. */
     | 'live'
+    /** `imported`: the mechanism file of a link of PMKS+, which the text is; nothing else is answered then. */
+    | 'import'
     /** `words`: the texts of the page in the language of the options, by key. */
     | 'words'
     /** `policy`: what a page that shows live pages in a frame must allow in its Content-Security-Policy. */
@@ -101,6 +103,8 @@ export interface Answer {
     cycle?: string;
     geogebra?: string;
     live?: string;
+    /** Remarks say what was rounded, changed or left out. */
+    imported?: string;
     words?: Record<string, string>;
     /** Sources by hash, "'sha256-…'", for script-src and style-src. */
     policy?: {script: string; style: string};

@@ -52,6 +52,7 @@ public:
         figure.marks.emplace_back(disc({0, 0}, 0.7, theme_.text));
         draw_force(figure, {0, -top_ - arrow_}, {0, -top_});
         draw_force(figure, {0, bottom_ + arrow_}, {0, bottom_});
+        figure.by_load = 0;
         return finished(std::move(figure), context_, room_);
     }
 
@@ -193,6 +194,7 @@ public:
         draw_arch(figure, half, high);
         draw_heights(figure, half, high);
         draw_plan(figure, half);
+        figure.by_load = found_.a > 0 ? 1.0 / 3 : 0.5;
         return finished(std::move(figure), context_, room_);
     }
 

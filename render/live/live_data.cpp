@@ -285,6 +285,10 @@ void write_figure(const AloneFigure& figure, const Solution& solution, JsonWrite
     }
     json.key("origin").open('[').values(figure.origin.x, figure.origin.y).close();
     if (figure.places > 0) json.member("places", figure.places);
+    if (figure.loaded != none && figure.by_load) {
+        json.key("loaded").open('{').member("joint", figure.loaded).member("power", *figure.by_load);
+        json.close();
+    }
     json.key("labels").open('[');
     for (const Mark& mark : figure.page.marks) {
         const auto* text = std::get_if<TextMark>(&mark);

@@ -4,6 +4,7 @@
 import {Drive} from './drive.js';
 import {Exercise} from './exercise.js';
 import {FigureView} from './figures.js';
+import {LoadedView} from './loaded.js';
 import {Hall} from './hall.js';
 import {Keys} from './keys.js';
 import {Ruler} from './measure.js';
@@ -219,7 +220,8 @@ export class Page {
             const groups = figures.filter((group) => !group.parentElement?.closest('g.figure'));
             for (const node of svg.querySelectorAll('g.detail, g.figure[data-figure=detail]'))
                 node.classList.add('still');
-            const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
+            const View = info.loaded ? LoadedView : FigureView;
+            const views = groups.map((group) => new View(own, group, info, motion, this.data.names));
             const follow = views.length > 0 && views.every((view) => view.follows);
             svg.classList.toggle('following', follow);
             if (follow) views.forEach((view) => view.bind());

@@ -9,8 +9,9 @@ import {apart, minus} from './path.js';
  * @typedef {{name: string, layer: string, origin: [number, number], places?: number, labels: string[][],
  *   isMechanism?: boolean, isStacked?: boolean, isHeld?: boolean, mayBeHeld?: boolean, hasNoTasks?: boolean,
  *   findsForces?: boolean, isLever?: boolean, isOfOne?: boolean, mayRest?: boolean, vectorsLike?: string,
- *   freeBody?: string, prefix?: string}} FigureInfo
- *   as InPage in the table of figures; freeBody: id of its body, empty for a pin
+ *   freeBody?: string, prefix?: string, loaded?: {joint: number, power: number}}} FigureInfo
+ *   as InPage in the table of figures; freeBody: id of its body, empty for a pin; loaded: a figure of the contact at a
+ *   joint, and the power of its load with which it grows
  * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points:
  *   number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies:

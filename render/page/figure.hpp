@@ -83,6 +83,7 @@ struct Figure {
     Box box;                           ///< bounding box of everything, labels included
     Spot origin;                       ///< position of the origin of coordinates
     double places = 0;                 ///< of a drawing of places: m per mm, whatever the scale of its vectors
+    std::optional<double> by_load;     ///< the power of its load with which its lengths grow; empty: not all of them do
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< empty after place_labels has placed them
     std::vector<RichText> unnamed;     ///< names left out: with all of them none could be read

@@ -29,12 +29,12 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
     result.problem = std::make_shared<const ProblemSolution>(std::move(found));
     return result;
 }
-/// The contacts by name of the joint, in the order of the file. A deque, because figures refer to its elements.
-std::deque<std::pair<std::string, Solution>> contacts_of(const Solution& solution) {
-    std::deque<std::pair<std::string, Solution>> all;
+/// The contacts by their joint, in the order of the file. A deque, because figures refer to its elements.
+std::deque<std::pair<JointIndex, Solution>> contacts_of(const Solution& solution) {
+    std::deque<std::pair<JointIndex, Solution>> all;
     if (!solution.contacts) return all;
     for (const SolvedContact& contact : solution.contacts->at_joints)
-        all.emplace_back(solution.mechanism.joint(contact.joint).name, alone(solution, contact));
+        all.emplace_back(contact.joint, alone(solution, contact));
     return all;
 }
 
@@ -47,7 +47,7 @@ std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& op
     SheetOptions numbered = options;
     numbered.pages_before = 1;  // only the first page has the title block
     std::vector<std::size_t> counts;
-    for (const auto& [name, each] : contacts) {
+    for (const auto& [joint, each] : contacts) {
         counts.push_back(contact(each, numbered, fonts).size());
         numbered.pages_after += counts.back();
     }
@@ -67,21 +67,21 @@ std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& op
     return pages;
 }
 
-std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options,
-                                              const Fonts& fonts) {
-    std::vector<std::string> names;
+std::vector<ContactFigure> contact_figures(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    std::vector<ContactFigure> all;
     for (const auto& [joint, each] : contacts_of(solution))
         for (const std::string& figure :
              problem_figure_names({each, options.theme, fonts, options.language, options.dimensions}))
-            names.push_back(figure + "-" + joint);
-    return names;
+            all.push_back({figure + "-" + solution.mechanism.joint(joint).name, joint});
+    return all;
 }
 std::optional<Figure> contact_figure(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                      const std::string& name, Spot room) {
     for (const auto& [joint, each] : contacts_of(solution)) {
         const DrawingContext context{each, options.theme, fonts, options.language, options.dimensions};
         for (const std::string& figure : problem_figure_names(context))
-            if (figure + "-" + joint == name) return problem_figure(context, figure, room.x, room.y);
+            if (figure + "-" + solution.mechanism.joint(joint).name == name)
+                return problem_figure(context, figure, room.x, room.y);
     }
     return std::nullopt;
 }

@@ -29,9 +29,11 @@ using LayOutProblem = std::vector<Page> (*)(const Solution&, const SheetOptions&
 std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                 LayOutProblem contact, const std::function<BoundPages(const SheetOptions&)>& mechanism);
 
-/// "contact-P", "pressure-P", "stresses-P" for joint P.
-std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options,
-                                              const Fonts& fonts);
+struct ContactFigure {
+    std::string name;  ///< "contact-P", "pressure-P", "stresses-P" for joint P
+    JointIndex joint = none;
+};
+std::vector<ContactFigure> contact_figures(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 std::optional<Figure> contact_figure(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                      const std::string& name, Spot room);
 

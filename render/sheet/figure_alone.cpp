@@ -41,7 +41,7 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
                  plain(figure.caption);
     page.language = code_of(context.language);
     page.marks = std::move(figure.marks);
-    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places, {}};
+    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places, {}, figure.by_load};
 }
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
@@ -61,7 +61,7 @@ std::vector<std::string> figure_names(const Solution& solution, const SheetOptio
     const WantedFigures wanted(context, options.joukowsky);
     std::vector<std::string> names;
     for (const FigureId id : choices(wanted)) names.push_back(name_of(solution, id));
-    for (std::string& each : contact_figure_names(solution, options, fonts)) names.push_back(std::move(each));
+    for (ContactFigure& each : contact_figures(solution, options, fonts)) names.push_back(std::move(each.name));
     return names;
 }
 
@@ -101,9 +101,12 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
             add(name_of(solution, id), drawn_alone(wanted, id, {2 * format.measure + gap, tallest_alone}));
             all.back().id = id;
         }
-    for (const std::string& name : contact_figure_names(solution, options, fonts))
-        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone}))
-            add(name, *std::move(figure));
+    for (const auto& [name, joint] : contact_figures(solution, options, fonts)) {
+        auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone});
+        if (!figure) continue;
+        add(name, *std::move(figure));
+        all.back().loaded = joint;
+    }
     return all;
 }
 

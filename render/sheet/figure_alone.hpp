@@ -24,12 +24,14 @@ Page page_of_figure(const DrawingContext& context, Figure figure);
 /// A figure with the data that describe it, for the live page.
 struct AloneFigure {
     Page page;
-    std::string name;              ///< as in figure_names()
-    RichText caption;              ///< without number and scale
-    RichText scale_in_words;       ///< empty: no scale
-    Spot origin;                   ///< the origin of its coordinates on the page, mm
-    double places = 0;             ///< as in Figure
-    std::optional<FigureId> id{};  ///< none: of a problem
+    std::string name;                              ///< as in figure_names()
+    RichText caption;                              ///< without number and scale
+    RichText scale_in_words;                       ///< empty: no scale
+    Spot origin;                                   ///< the origin of its coordinates on the page, mm
+    double places = 0;                             ///< as in Figure
+    std::optional<FigureId> id = std::nullopt;     ///< none: of a problem
+    std::optional<double> by_load = std::nullopt;  ///< as in Figure
+    JointIndex loaded = none;                      ///< of a contact at a joint
 };
 /// All figures of the sheet in its order, each as from lay_out_alone(). Figures of problems have no origin.
 std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts);

@@ -214,6 +214,30 @@ test('as drawn, every figure on the screen is the one of the sheet', async (t) =
 
 // --- the page -----------------------------------------------------------------------------------------------------------------
 
+test('pressure and width of a contact grow with its force as the crank turns, to what is solved there', async () => {
+    await open(pageOf('cam_and_roller', join(examples, 'joint_contact/cam_and_roller.json')));
+    const told = () => see(`[...document.querySelectorAll('main:not([hidden]) figure[data-figure-name=pressure-P] text.number')]
+        .map((each) => each.textContent)`);
+    const svg = () => see(`document.querySelector('figure[data-figure-name=pressure-P] svg').outerHTML
+        .replace(/(<text[^>]* class="number"[^>]*>)[^<]*/g, '$1')`), drawn = await svg();
+    await see(`kinegraph.moveTo(kinegraph.course.samples[20].at)`);
+    const turn = await see(`kinegraph.motion.value(0)`), there = JSON.parse(readFileSync(join(examples, 'joint_contact/cam_and_roller.json'), 'utf8'));
+    const [x, y] = [33 * Math.cos(turn), 33 * Math.sin(turn)], height = y + Math.sqrt(55 ** 2 - x ** 2);
+    Object.assign(there.points, {C: [x, y], R: [0, height], H: [0, height + 36]});
+    const file = join(folder, 'cam_there.json');
+    writeFileSync(file, JSON.stringify(there));
+    const solved = String(run('solve', file));
+    const value = (symbol) => Number(new RegExp(`^ *${symbol}  .*? ([\\d.]+) (?:MPa|mm) `, 'm').exec(solved)[1]);
+    const shown = (await told()).map(parseFloat);
+    assert.equal(shown.length, 3);
+    [value('p_0'), value('p_m'), value('b')].forEach((wanted, i) =>
+        assert.ok(Math.abs(shown[i] - wanted) < 1e-3 * wanted, `${shown[i]}, not ${wanted}`));
+    assert.equal(await see(`document.querySelector('figure[data-figure-name=pressure-P] .note').hidden`), true);
+    await see(`kinegraph.moveTo(kinegraph.course.samples[0].at)`);
+    assert.deepEqual(await svg(), drawn);
+    quiet();
+});
+
 test('figures follow the slider and come back as they were', async () => {
     await open(pageOf('watt_six_bar'));
     const drawing = 'kinegraph.sheet.querySelector(".figures").innerHTML';

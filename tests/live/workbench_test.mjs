@@ -610,6 +610,102 @@ test('a link opens what it holds; a hostile one is said and does no harm', async
     assert.deepEqual(messages, []);
 });
 
+const pmks = '2P.Fe.K,0.1011.MA,A,0,0,0.GB,B,0,Fe,0.KC,C,ku,0,0.GD,D,0RF,Oj,0.HP,P,0,Fe,0,CD,C,D..' +
+    'YRAB,AB,Fe,Fe,0,7q,c5cae9,A,B,,.YRCD,CD,Fe,Fe,9q,CN,303e9f,C,D,,.YPBP,BP,Fe,0,0,0,,B,P,,...N_r';
+test('a link of PMKS+ is opened from the menu, by pasting and as a file, and what it changed is said', async () => {
+    const paste = (what) => page.evaluate((text_) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData('text/plain', text_);
+        document.body.dispatchEvent(new ClipboardEvent('paste', {clipboardData, bubbles: true}));
+    }, what);
+    const fromMenu = async () => {
+        await page.locator('#more').click();
+        await page.locator('#from-pmks').click();
+        await page.locator('#import-text').fill(`https://app.pmksplus.com/?${pmks}`);
+        await page.locator('#import [value=yes]').click();
+    };
+    const byProgram = execFileSync(program, ['import', `?${pmks}`], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
+    const asFile = () => page.locator('#picker').setInputFiles(
+        {name: 'crank.txt', mimeType: 'text/plain', buffer: Buffer.from(pmks)});
+    for (const bring of [fromMenu, () => paste(` ${pmks}\n`), asFile]) {
+        await begin();
+        await bring();
+        await page.locator('#question').waitFor();
+        assert.match(await page.locator('#question-text').textContent(), /three decimals/);
+        await page.locator('#question-yes').click();
+        await until('workbench.model.points.length === 7');
+        await settled();
+        assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+        assert.equal(await text(), byProgram);
+    }
+    await paste(pmks.slice(0, -30) + pmks.slice(-20));
+    await until(`!document.getElementById('notice').hidden`);
+    assert.match(await page.locator('#notice').textContent(), /cut off or changed/);
+    assert.deepEqual(messages, []);
+});
+
+/** Numbers from 0 to 1 that are the same in each run. */
+function* random(seed) {
+    for (let state = seed;;) {
+        state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+        yield state / 2 ** 32;
+    }
+}
+test('links and texts that anybody may send are answered, whatever stands in them', async (t) => {
+    await begin();
+    const count = Number(process.env.KINEGRAPH_LINKS ?? 1500), dice = random(37), next = (most) => Math.floor(dice.next().value * most);
+    const packed = (what) => `#m=${deflateRawSync(what).toString('base64url')}`;
+    const good = ['four_bar.json', 'exam_2001.json', 'planetary_train.json'].map(exampleText);
+    const letters = '0123456789ABCXYZabcxyz_-.,{}[]":?&%# \\\u0000é∞';
+    const changed = (what) => {
+        let now = what;
+        for (let i = 0; i <= next(4); ++i) {
+            const at = next(now.length + 1), length = next(2) ? next(8) : 0, twice = now.slice(at, at + next(40));
+            const put = [letters[next(letters.length)], '', twice, '9'.repeat(next(30)), '['.repeat(next(200))][next(5)];
+            now = now.slice(0, at) + put + now.slice(at + length);
+        }
+        return now;
+    };
+    const links = Array.from({length: count}, (_, i) => {
+        const from = good[i % good.length];
+        return i % 3 === 0 ? {link: changed(packed(from))} : i % 3 === 1 ? {link: packed(changed(from))} :
+            {pmks: changed(i % 2 ? pmks : `https://app.pmksplus.com/?${pmks}`)};
+    });
+    const slowest = await page.evaluate(async (all) => {
+        const {textOf} = await import('./link.js'), found = {ms: 0, text: '', opened: 0, imported: 0, solved: 0};
+        for (const {link, pmks: sent} of all) {
+            const start = performance.now(), opened = link === undefined ? null : await textOf(link);
+            const asked = sent === undefined ? opened : sent;
+            const want = sent === undefined ? ['position', 'mobility', 'values'] : ['import'];
+            const answer = asked === null ? null : await workbench.engine.answer({text: asked, name: 'any.json', want});
+            if (answer?.failure) throw new Error(`${answer.failure}: ${asked}`);
+            if (opened !== null) ++found.opened;
+            if (answer?.imported) ++found.imported;
+            if (answer?.values) ++found.solved;
+            const ms = performance.now() - start;
+            if (ms > found.ms) Object.assign(found, {ms, text: asked ?? link});
+        }
+        return found;
+    }, links);
+    t.diagnostic(`${count} links: ${slowest.opened} opened, ${slowest.solved} solved, ${slowest.imported} imported, ` +
+        `the slowest took ${slowest.ms.toFixed(0)} ms`);
+    assert.ok(slowest.ms < 5000, slowest.text);
+    assert.ok(slowest.opened > count / 4 && slowest.solved > 0);
+    // Some of them as a visitor meets them, in the address and pasted.
+    for (const {link, pmks: sent} of links.slice(0, 60)) {
+        await page.evaluate(([hash, text_]) => {
+            if (hash) return void (location.hash = hash);
+            const clipboardData = new DataTransfer();
+            clipboardData.setData('text/plain', text_);
+            document.body.dispatchEvent(new ClipboardEvent('paste', {clipboardData, bubbles: true}));
+        }, [link ?? '', sent ?? '']);
+        await settled();
+        if (await page.locator('#question').isVisible()) await page.locator('#question [value=no]').click();
+    }
+    assert.equal(await page.locator('script:not([src]), #faults img, [onerror]').count(), 0);
+    assert.deepEqual(messages, []);
+});
+
 test('it serves its page and its parts alone, to this machine alone, and takes requests of bounded size', async () => {
     writeFileSync(path, exampleText('four_bar.json'));
     writeFileSync(join(folder, 'secret.json'), '{}');

@@ -8,6 +8,8 @@ import {word} from './words.js';
 /** @typedef {import('./bench.js').Bench} Bench */
 
 const mostBytes = 8 << 20;
+/** Whether a text is meant as a mechanism file. */
+const isJson = (/** @type {string} */ text) => /^\uFEFF?\s*\{/.test(text);
 
 export class Files {
     /** @param {Bench} bench */
@@ -15,6 +17,8 @@ export class Files {
         this.bench = bench;
         /** @type {HTMLInputElement} */
         this.picker = byId('picker');
+        /** Why the last text was no link of PMKS+. */
+        this.fault = '';
         this.picker.addEventListener('change', () => {
             const [file] = this.picker.files ?? [];
             this.picker.value = '';
@@ -23,8 +27,13 @@ export class Files {
         document.addEventListener('dragover', (event) => event.preventDefault());
         document.addEventListener('drop', (event) => {
             event.preventDefault();
-            const [file] = event.dataTransfer?.files ?? [];
+            const {dataTransfer} = event, [file] = dataTransfer?.files ?? [];
             if (file) void this.read(file);
+            else if (dataTransfer) void this.take(dataTransfer.getData('text/plain'));
+        });
+        document.addEventListener('paste', ({target, clipboardData}) => {
+            const isTyping = target instanceof Element && target.matches('input, textarea');
+            if (!isTyping && clipboardData) void this.take(clipboardData.getData('text/plain'));
         });
         window.addEventListener('beforeunload', (event) => bench.document.isChanged && event.preventDefault());
         window.addEventListener('hashchange', () => void this.openLink());
@@ -96,9 +105,46 @@ export class Files {
     async read(file) {
         if (file.size > mostBytes) return this.say(word('too_large'));
         const text = await file.text();
+        if (!isJson(text) && await this.takePmks(text, file.name)) return;
         if (!await this.mayLose()) return;
         this.isServed = false;
         this.bench.open(text, file.name, text);
+    }
+    /**
+     * Opens a text that was pasted or dropped: a mechanism file, or a link of PMKS+.
+     * @param {string} text
+     */
+    async take(text) {
+        if (text.trim() === '' || text.length > mostBytes) return;
+        if (isJson(text)) return this.openExample(text, 'mechanism.json');
+        if (!await this.takePmks(text, 'mechanism.json')) this.say(this.fault);
+    }
+    /**
+     * Makes a mechanism of a link of PMKS+ and opens it, after what changed was said. False: it is none; then `fault`
+     * says why.
+     * @param {string} text
+     * @param {string} name
+     */
+    async takePmks(text, name) {
+        const options = this.bench.inquiry.options();
+        const {imported, remarks, faults, failure} = await this.bench.engine.answer({text: text.trim(), name,
+            want: ['import'], options});
+        this.fault = failure ?? faults[0]?.text ?? '';
+        if (imported === undefined) return false;
+        if (remarks.length > 0 && !await this.ask(remarks.join('\n'), word('go_on'))) return true;
+        await this.openNew(imported, `${name.replace(/\.[^.]*$/, '')}.json`);
+        return true;
+    }
+    /** Asks for a link of PMKS+. */
+    async askForPmks() {
+        /** @type {HTMLDialogElement} */
+        const dialog = byId('import');
+        /** @type {HTMLTextAreaElement} */
+        const field = byId('import-text');
+        field.value = dialog.returnValue = '';
+        dialog.showModal();
+        await new Promise((resolve) => dialog.addEventListener('close', resolve, {once: true}));
+        if (dialog.returnValue === 'yes') await this.take(field.value);
     }
     /**
      * @param {string} text
@@ -109,10 +155,18 @@ export class Files {
         this.isServed = false;
         this.bench.open(text, name, text);
     }
-    async startNew() {
+    startNew() {
+        return this.openNew(emptyFile(word('untitled')), 'mechanism.json');
+    }
+    /**
+     * Opens what no disk has yet.
+     * @param {string} text
+     * @param {string} name
+     */
+    async openNew(text, name) {
         if (!await this.mayLose()) return;
         this.isServed = false;
-        this.bench.open(emptyFile(word('untitled')), 'mechanism.json', null);
+        this.bench.open(text, name, null);
     }
     /** Saves where the page can, otherwise offers the file. */
     async save() {

@@ -94,6 +94,7 @@ async function start() {
         link: () => void files.copyLink(),
         save: () => void files.save(),
         'new-file': () => void files.startNew(),
+        'from-pmks': () => void files.askForPmks(),
         examples: () => void gallery.open(),
         fit: () => bench.fit(),
         'zoom-in': () => zoom(bench, 1.25),
