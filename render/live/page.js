@@ -150,6 +150,9 @@ export class Page {
         document.documentElement.lang = language;
         for (const node of document.querySelectorAll('main, h1'))
             /** @type {HTMLElement} */ (node).hidden = /** @type {HTMLElement} */ (node).lang !== language;
+        // The controls stand in the sheet of the language before they are named in it.
+        this.sheet.querySelector('.stage')?.prepend(this.at('layers'));
+        this.sheet.querySelector(':scope > .text')?.prepend(this.at('panels'));
         for (const node of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-word]'))) {
             const main = node.closest('main');
             node.textContent = this.data.words[main ? main.lang : language][node.dataset.word ?? ''];
@@ -157,8 +160,6 @@ export class Page {
         /** @type {NodeListOf<HTMLElement>} */
         const named = document.querySelectorAll('[id][data-label]');
         for (const node of named) this.name(node, node.dataset.label ?? '');
-        this.sheet.querySelector('.stage')?.prepend(this.at('layers'));
-        this.sheet.querySelector(':scope > .text')?.prepend(this.at('panels'));
         this.at('language').value = language;
         document.title = document.querySelector('h1:not([hidden])')?.textContent ?? '';
         this.bindFigures();

@@ -1082,6 +1082,12 @@ test('speaks both languages', async () => {
     })`);
     assert.match(english, /^Next.*en$/);
     assert.match(italian, /^Avanti.*it$/);
+    for (const language of ['it', 'en', 'it']) {
+        assert.deepEqual(await see(`kinegraph.setLanguage('${language}'), [...document.querySelectorAll('[data-word]')]
+            .filter((each) => !each.closest('main[hidden]'))
+            .filter((each) => each.textContent !== kinegraph.data.words['${language}'][each.dataset.word])
+            .map((each) => each.outerHTML)`), []);
+    }
     quiet();
 });
 
