@@ -299,6 +299,36 @@ test('a pin that was drawn on a bar becomes the pin of a slot in it', async () =
     assert.deepEqual(messages, []);
 });
 
+test('a planet wheel on its arm, and a lever on a spring from a fixed place, are built by mouse', async () => {
+    await begin();
+    await tool('link');
+    for (const at of [[0, 0], [60, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([0, 0]);
+    await tool('gear');
+    for (const at of [[0, 0], [60, 0]]) await clickAt(at);
+    await settled();
+    const {bodies, joints} = await file(), [arm, sun, planet] = Object.keys(bodies).map(Number);
+    assert.deepEqual(joints.map(({bodies: all}) => all), [[1, arm, sun], [arm, planet], [sun, planet]]);
+    assert.equal((await run('workbench.answer.mobility')).effective, 2);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved|2 not driven/);
+
+    await begin();
+    await tool('link');
+    for (const at of [[-80, 0], [80, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    await tool('ground');
+    await clickAt([-80, 0]);
+    await tool('spring');
+    for (const at of [[0, 0], [0, -60]]) await clickAt(at);
+    await settled();
+    const lever = await file();
+    assert.deepEqual(lever.loads.map(({spring, bodies: pair}) => [spring, pair]), [['S1', [2, 1]]]);
+    assert.deepEqual((await run('workbench.answer')).faults, []);
+    assert.deepEqual(messages, []);
+});
+
 test('a truss is built by the keyboard alone', async () => {
     await begin();
     await page.locator('#canvas').focus();

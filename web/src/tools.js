@@ -254,7 +254,11 @@ export class GearTool extends Tool {
                 return pointerTo('points', edit.addWheelOnBar(this.kind, centre, bodyOf(edit, centre), bar));
             });
         this.pickTwo({...target, wheel: null}, (edit, first, point) => {
-            const bodies = [first, point].map((each) => bodyOf(edit, each));
+            // Wheels at the ends of an arm are bodies of their own.
+            const carried = [first, point].map((each) => edit.model.bodiesAt(each)), [one, other] = carried;
+            const arms = one.filter((each) => other.includes(each) && each !== edit.model.frame);
+            const bodies = [first, point].map((each, i) => arms.length === 0 ? bodyOf(edit, each) :
+                carried[i].find((body) => body !== edit.model.frame && !arms.includes(body)) ?? edit.addBody([each]));
             const [a, b] = [edit.spots[first], edit.spots[point]];
             const contact = edit.addPoint(
                 {from: first, to: point, ratio: 0.5},
@@ -369,6 +373,9 @@ export class SpringTool extends Tool {
     /** @param {Target} target */
     pick(target) {
         this.pickTwo(target, (edit, first, point) => {
+            // What no link carries is a fixed place.
+            const free = [first, point].filter((each) => edit.model.bodiesAt(each).length === 0);
+            if (free.length === 1) edit.addGround(free[0]);
             const [a, b] = [edit.model.bodiesAt(first), edit.model.bodiesAt(point)];
             const pair = a.flatMap((one) => b.map((other) => [one, other])).find(([one, other]) => one !== other);
             if (!pair) return pointerTo('points', point);
