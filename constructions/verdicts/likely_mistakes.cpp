@@ -146,10 +146,16 @@ private:
             else
                 return effort.body == body;
         };
+        const auto springs = [&](const auto& load) {
+            if constexpr (requires { load.bodies; })
+                return load.bodies[0] == body || load.bodies[1] == body;
+            else
+                return false;
+        };
         const auto any = [](const auto& list, const auto& concerns) {
             return std::any_of(list.begin(), list.end(), [&](const auto& each) { return std::visit(concerns, each); });
         };
-        return any(mechanism_.drivers, moves) || any(mechanism_.efforts, holds);
+        return any(mechanism_.drivers, moves) || any(mechanism_.efforts, holds) || any(mechanism_.loads, springs);
     }
 
     /// At the body's first point without a joint; empty if all have one.
