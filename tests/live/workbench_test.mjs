@@ -111,6 +111,40 @@ test('the four-bar of the README is built by mouse, and saved solves to the same
     assert.deepEqual(messages, []);
 });
 
+test('the lesson leads to a four-bar in six steps, each of which goes on when it is done', async () => {
+    await begin();
+    await page.locator('#more').click();
+    await page.locator('#begin-lesson').click();
+    const step = async () => Number(/\d/.exec(await page.locator('#lesson-where').textContent())?.[0] ?? 0);
+    const asked = () => page.locator('.asked').click();
+    assert.equal(await step(), 1);
+    await asked();
+    for (const at of [[0, 0], [20, 30], [120, 70], [110, 0]]) await clickAt(at);
+    await page.keyboard.press('Escape');
+    assert.equal(await step(), 2);
+    await asked();
+    for (const at of [[0, 0], [110, 0]]) await clickAt(at);
+    assert.equal(await step(), 3);
+    await asked();
+    await clickAt([10, 15]);
+    await settled();
+    assert.equal(await step(), 4);
+    assert.match(await page.locator('#status').textContent(), /^✓ solved/);
+    await asked();
+    const [a, b] = Object.keys((await file()).points);
+    await clickAt([10, 15]);
+    await fill(`length-${a}-${b}`, '40');
+    assert.equal(await step(), 5);
+    await asked();
+    assert.equal(await step(), 6);
+    await asked();
+    assert.match(await page.locator('#lesson-text').textContent(), /That was all/);
+    assert.equal(await page.locator('.asked').count(), 0);
+    await page.locator('#lesson-end').click();
+    assert.equal(await page.locator('#lesson').isVisible(), false);
+    assert.deepEqual(messages, []);
+});
+
 test('a four-bar is built by keyboard alone', async () => {
     await begin();
     await page.locator('#canvas').focus();

@@ -11,6 +11,7 @@ import {Files} from './files.js';
 import {Gallery} from './gallery.js';
 import {Inspector} from './inspector.js';
 import {Keys} from './keys.js';
+import {Lesson} from './lesson.js';
 import {Menus} from './menus.js';
 import {Modes} from './modes.js';
 import {Pointer} from './pointer.js';
@@ -74,6 +75,7 @@ async function start() {
     dress(document);
     showCompact();
     const files = new Files(bench), gallery = new Gallery(bench, files), modes = new Modes(bench);
+    const lesson = new Lesson(bench);
     new Toolbar(bench, root);
     new Inspector(bench);
     new TextView(bench);
@@ -94,6 +96,7 @@ async function start() {
         link: () => void files.copyLink(),
         save: () => void files.save(),
         'new-file': () => void files.startNew(),
+        'begin-lesson': () => void files.startNew().then(() => lesson.begin()),
         'from-pmks': () => void files.askForPmks(),
         examples: () => void gallery.open(),
         fit: () => bench.fit(),
