@@ -526,6 +526,17 @@ test('the selected point shows on the drawing how the file places it', async () 
     assert.deepEqual(messages, []);
 });
 
+test('a window that is turned or made smaller shows all of what it showed', async () => {
+    await begin({width: 1366, height: 768});
+    await run(`workbench.open(${JSON.stringify(exampleText('four_bar.json'))}, 'four_bar.json', null)`);
+    await settled();
+    for (const [width, height] of [[820, 1180], [390, 844], [844, 390], [1366, 768]]) {
+        await page.setViewportSize({width, height});
+        await until('workbench.seesAll() && Math.abs(workbench.view.width - document.getElementById("canvas").clientWidth) < 1');
+    }
+    assert.deepEqual(messages, []);
+});
+
 test('by touch: points are placed, two fingers zoom', async () => {
     await begin({width: 390, height: 844});
     await page.locator('[data-tool=link]').tap();

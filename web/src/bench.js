@@ -125,6 +125,14 @@ export class Bench {
         this.mode = mode;
         this.tell('mode');
     }
+    /** Whether all points are in view. */
+    seesAll() {
+        const {view, model, spots} = this;
+        return model.points.every(({name}) => {
+            const [x, y] = spots[name] ? view.toScreen(spots[name]) : [0, 0];
+            return x >= 0 && y >= 0 && x <= view.width && y <= view.height;
+        });
+    }
     fit() {
         const length = {m: 0.5, cm: 40, mm: 300, in: 16, ft: 2}[this.model.unit] ?? 1;
         this.view.fit(this.model.points.map(({name}) => this.spots[name]).filter(Boolean), length);

@@ -52,11 +52,12 @@ function drawWhenChanged(bench, root) {
     bench.on(['file', 'answer', 'selection', 'view'], () => ask(true));
     bench.on(['cursor', 'tool'], () => ask(false));
     new ResizeObserver(([{contentRect}]) => {
-        const {view} = bench, isFirst = view.width <= 1;
+        const {view} = bench, isFirst = view.width <= 1, sawAll = bench.seesAll();
         // While another mode is shown the canvas has no size.
         if (contentRect.width === 0) return;
         Object.assign(view, {width: contentRect.width, height: contentRect.height});
-        if (isFirst) bench.isToFit = true;
+        // Turned or made smaller, the window shows what it showed.
+        if (isFirst || (sawAll && !bench.seesAll())) bench.isToFit = true;
         ask(true);
     }).observe(root);
 }
