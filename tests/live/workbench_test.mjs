@@ -347,6 +347,13 @@ test('a planet wheel on its arm, and a lever on a spring from a fixed place, are
     assert.deepEqual(joints.map(({bodies: all}) => all), [[1, arm, sun], [arm, planet], [sun, planet]]);
     assert.equal((await run('workbench.answer.mobility')).effective, 2);
     assert.match(await page.locator('#status').textContent(), /^✓ solved|2 not driven/);
+    // The sun is held, the arm turns with 10: the planet, as large, turns with 20.
+    await tool('ground');
+    await clickAt([-15, -10]);
+    await tool('driver');
+    await clickAt([40, 1]);
+    await settled();
+    near((await valuesByName())[`omega ${planet}`], 20);
 
     await begin();
     await tool('link');

@@ -133,6 +133,20 @@ export class Edit {
         else this.addPointToBody(point, model.frame);
     }
     /**
+     * Clamps a wheel to the frame about its centre; the hinge there keeps its other bodies.
+     * @param {import('./snap.js').Wheel} wheel
+     * @returns {number} the index of the joint
+     */
+    fixWheel({body, centre}) {
+        const {frame} = this.model, there = this.model.joints.findIndex(({kind, point, bodies}) =>
+            kind === 'weld' && point === centre && bodies.includes(body) && bodies.includes(frame));
+        if (there >= 0) return there;
+        this.detach(centre, body);
+        this.addPointToBody(centre, body);
+        this.add(['joints'], {weld: centre, bodies: [frame, body].map(bodyValue)});
+        return this.model.joints.length - 1;
+    }
+    /**
      * A block that slides on a guide of the frame, hinged to the bodies at the point.
      * @param {string} point
      * @param {any} along

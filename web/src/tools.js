@@ -156,7 +156,8 @@ export class GroundTool extends Tool {
     /** @param {Target} target */
     pick(target) {
         this.edit((edit) => {
-            const point = pointAt(edit, {...target, wheel: null}, 'O');
+            if (target.wheel) return pointerTo('joints', edit.fixWheel(target.wheel));
+            const point = pointAt(edit, target, 'O');
             edit.addGround(point);
             return pointerTo('points', point);
         });
