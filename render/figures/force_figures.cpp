@@ -882,16 +882,29 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
 namespace {
 
 /// Of a free body without its forces, mm across. Names and arrows keep their size: a smaller body gains little space
-/// for them, and the places of its forces would become one. Only forces that act far from it make it smaller.
-constexpr double least_of_free_body = 12, most_of_reach = 8;
+/// for them, and the places of its forces would become one. Only where these would lie farther apart is it smaller.
+constexpr double least_of_free_body = 12, farthest_forces = 100;
 
 double across(const Box& box) { return nearest::hypot(box.width(), box.height()); }
 
-/// The coarsest scale of the series at which an extent has at least this many mm.
-double coarsest_scale(double extent, double least) {
-    double scale = choose_scale(extent, 0, least, least, std::nullopt);
-    while (extent / scale < least) scale = finer_scale(scale);
+/// The coarsest scale of the series at which a free body is drawn, m per mm.
+double coarsest_scale(const FreeExtent& extent) {
+    const double size = across(extent.own);
+    double scale = choose_scale(size, 0, least_of_free_body, least_of_free_body, std::nullopt);
+    while (size / scale < least_of_free_body) scale = finer_scale(scale);
+    while (across(extent.reach) / scale > farthest_forces) scale = next_scale(scale);
     return scale;
+}
+
+double longest_force(const FreeBody& body) {
+    double longest = 0;
+    for (const AppliedForce& applied : body.forces) longest = std::max(longest, kinegraph::length(applied.force));
+    return longest;
+}
+
+double scale_within(const Box& box, Spot room) {
+    return choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9), std::max(room.x, 10.0),
+                        std::max(room.y, 10.0), std::nullopt);
 }
 
 /// With its points of application and near points of concurrency, m.
@@ -911,12 +924,12 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
     const Figure blank = begun(context, {FigureKind::free_body, static_cast<int>(index), part});
     Subject subject(solution);
-    const auto [own_box, box, reach_box] = extent_of_body(subject, body);
+    const FreeExtent extent = extent_of_body(subject, body);
+    const Box& box = extent.all;
     subject.box = box;
     show_only(subject, body);
 
-    double longest = 0;
-    for (const AppliedForce& applied : body.forces) longest = std::max(longest, kinegraph::length(applied.force));
+    const double longest = longest_force(body);
     const Unit& unit = mechanism.units.force;
     const double si = unit.si.to_double();
     const auto asked = asked_scale(mechanism, FigureKind::free_body);
@@ -928,17 +941,18 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                                     : 1,
                       room_x >= roomy, at_pairs};
     // A single block has no length; any scale would do.
-    const bool has_length = across(own_box) > 0;
-    const double extent = has_length ? std::max(across(own_box), across(reach_box) / most_of_reach) : 0;
+    const bool has_length = across(extent.own) > 0;
+    const double coarsest = has_length ? coarsest_scale(extent) : 0;
     const auto drawn = [&] {
         const double around = std::min(30.0, longest / si / forces.per_millimetre);
         const double start = has_length
-                                 ? std::min(choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
-                                                         std::max(room_x - around, 10.0),
-                                                         std::max(room_y - around - 12, 10.0), std::nullopt),
-                                            coarsest_scale(extent, least_of_free_body))
+                                 ? std::min(scale_within(box, {room_x - around, room_y - around - 12}), coarsest)
                                  : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-        return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_of_free_body},
+        // The last trial is that at the coarsest scale.
+        return fit({.room = Spot{room_x, room_y},
+                    .first = start,
+                    .extent = has_length ? across(extent.own) : 0,
+                    .least_shown = has_length ? (1 - 1e-9) * across(extent.own) / coarsest : 0},
                    [&](const Trial& trial) {
                        Sketch sketch(subject, context, trial.scale, blank.id + "-");
                        FreeBodyDrawing(sketch, loads, body, forces).draw();

@@ -66,13 +66,15 @@ double across(const Solution& solution, const FreeBody& body) {
     }
     return std::hypot(box.width(), box.height());
 }
-/// From the first point of the body to the farthest of its forces, m.
+/// The diagonal of the box round the places of all that is drawn at it, m.
 double reach(const Solution& solution, const FreeBody& body) {
-    double farthest = 0;
-    for (const AppliedForce& applied : body.forces)
-        farthest = std::max(
-            farthest, kinegraph::length(applied.at - solution.pose.at(solution.mechanism.body(body.body).points[0])));
-    return farthest;
+    const auto spot = [](const Vector& at) { return Spot{at.x.to_double(), at.y.to_double()}; };
+    const Spot first = spot(solution.pose.at(solution.mechanism.body(body.body).points[0]));
+    Box box{first, first};
+    for (const AppliedForce& applied : body.forces) box.include(spot(applied.at));
+    for (const AppliedForce& sum : body.sums) box.include(spot(sum.at));
+    for (const FreeBody::Arm& arm : body.arms) box.include(spot(arm.foot));
+    return std::hypot(box.width(), box.height());
 }
 
 struct Arrow {
@@ -127,9 +129,10 @@ void expect_readable(const Solution& solution, int& bodies, int& in_order) {
         for (const Spot room : rooms) {
             const Figure figure = free_body_figure(context, i, room.x, room.y);
             SCOPED_TRACE(figure.id + " in " + std::to_string(room.x));
-            constexpr double least = 12, rounding = 1e-6;  // mm
-            // Forces far from a body may make it smaller, and not the whole of a page larger.
-            EXPECT_GT(std::max(size, reach(solution, body) / 4) / figure.places, least - rounding);
+            // Smaller only where its forces would else lie farther apart than a column is wide, in steps of 1, 2, 5.
+            constexpr double least = 12, far = 100 / 2.5, rounding = 1e-6;  // mm
+            EXPECT_TRUE(size / figure.places > least - rounding || reach(solution, body) / figure.places > far)
+                << size / figure.places;
             in_order += expect_in_order(arrows_of(figure, body), size);
             ++bodies;
         }
