@@ -39,7 +39,7 @@ LineReason Chains::reason_of(const Locus& locus) const {
             return {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
         case Locus::Kind::image:
             return {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
-        case Locus::Kind::component: return {LineReason::Kind::driver_component, node(locus.node).label, {}};
+        case Locus::Kind::component: return component_reason(locus);
         case Locus::Kind::sleeve:
         case Locus::Kind::slot:
         case Locus::Kind::tangent:
@@ -174,16 +174,23 @@ LineReason Chains::normal_reason(const Locus& locus) const {
     return along_guide(mechanism_, locus.joint, true);
 }
 
+LineReason Chains::component_reason(const Locus& locus) const {
+    const auto& driver = std::get<PointDriver>(mechanism_.drivers[at_index(locus.driver)]);
+    return {LineReason::Kind::driver_component, node(locus.node).label, number_of_drive(driver, mechanism_)};
+}
+
 template <Plane plane>
 void Chains::start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result) {
     result.start = board_.pole<plane>();
     result.from_rest = true;
-    result.reason = {LineReason::Kind::driver_component, node(locus.node).label, {}};
+    result.reason = component_reason(locus);
+    const std::string which = result.reason.to;
     Link<plane> component;
     component.vector = board_.scale<plane>(driven<plane>(locus.driver), board_.driver_unit(locus.driver));
-    component.term = {absolute<plane>(locus.node, "∥"), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
+    component.term = {
+        absolute<plane>(locus.node, "∥" + which), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
     result.known.push_back(component);
-    result.sought = {absolute<plane>(locus.node, "⟂"), false, true, result.reason, locus.body};
+    result.sought = {absolute<plane>(locus.node, "⟂" + which), false, true, result.reason, locus.body};
 }
 
 template <Plane plane>

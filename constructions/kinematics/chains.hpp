@@ -139,6 +139,7 @@ private:
     void start_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
     LineReason line_reason(const Locus& locus) const;
     LineReason normal_reason(const Locus& locus) const;
+    LineReason component_reason(const Locus& locus) const;
     /// A driver gives the component along X: set it off from the pole, then ⟂ to X.
     template <Plane plane>
     void start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result);

@@ -83,7 +83,8 @@ struct LineReason {
         parallel_to_normal    ///< common normal of a contact, of pitch curves
     } kind = Kind::known;
     std::string from,
-        to;                 ///< the segment's ends, or `from` the guide's joint or the point with a given direction
+        to;                 ///< the segment's ends, or `from` the guide's joint or the point with a given direction;
+                            ///< `to` then tells drivers of one point apart
     bool own_name = false;  ///< `from` is the name of a joint, not of a point
     friend bool operator==(const LineReason&, const LineReason&) = default;
 };
@@ -121,6 +122,7 @@ struct Working {
     struct Factor {
         double value = 0;  ///< in units that combine to the result's unit
         bool squared = false;
+        bool own_sign = false;  ///< its minus stays with it: −0.07 in brackets
     };
     std::vector<Factor> factors;  ///< none: measured in the drawing
     std::optional<double> divisor;

@@ -76,8 +76,19 @@ Symbol name_of_sliding(const Solution& solution, JointIndex index, bool second_o
             is_of_point && joint.bodies[1] != frame ? "rel" : ""};
 }
 
+std::string number_of_drive(const PointDriver& driver, const Mechanism& mechanism) {
+    int all = 0, own = 0;
+    for (const Driver& each : mechanism.drivers) {
+        const auto* other = std::get_if<PointDriver>(&each);
+        if (other == nullptr || other->at != driver.at) continue;
+        ++all;
+        if (other->where == driver.where) own = all;
+    }
+    return all > 1 ? std::to_string(own) : std::string();
+}
+
 Symbol along_drive(Symbol::Letter letter, const PointDriver& driver, const Mechanism& mechanism) {
-    return {letter, mechanism.point(driver.at).name, "∥"};
+    return {letter, mechanism.point(driver.at).name, "∥" + number_of_drive(driver, mechanism)};
 }
 
 }  // namespace kinegraph

@@ -30,7 +30,9 @@ std::optional<Symbol> symbol_of_sliding(const Solution& solution, JointIndex joi
 /// The same, or the joint's own name where the solution draws none: v_cyl; v_D^rel, where that is also the name of a
 /// point.
 Symbol name_of_sliding(const Solution& solution, JointIndex joint, bool second_order);
-/// The given component of a point driver along its line, v_P∥.
+/// Which of several drivers of one point it is, from 1; empty for the only one.
+std::string number_of_drive(const PointDriver& driver, const Mechanism& mechanism);
+/// The given component of a point driver along its line, v_P∥; v_P∥2 where it is the second of that point.
 Symbol along_drive(Symbol::Letter letter, const PointDriver& driver, const Mechanism& mechanism);
 
 }  // namespace kinegraph

@@ -7,6 +7,7 @@
 #include "engine/number/functions.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/equations.hpp"
+#include "lang/keys/sheet.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -181,12 +182,20 @@ private:
         else
             said(Words(lang::equations::constraints_held_as_they_stand_the_driven, spoken(freedom)));
     }
+    /// The body, or the pin that bears the load.
+    std::string acts_on(const Entry& entry) const {
+        const auto* load = entry.quantity.kind == Quantity::Kind::load
+                               ? std::get_if<ForceLoad>(&mechanism_.loads[at_index(entry.quantity.given)])
+                               : nullptr;
+        if (load == nullptr || load->body != none) return body(entry.body);
+        return word(lang::sheet::pin, language_) + " " + mechanism_.point(load->at).name;
+    }
     std::vector<Formula> force_row(const Entry& entry, const Formula& q) {
         const double fx = entry.force.x.to_double() / mechanism_.units.force.si.to_double(),
                      fy = entry.force.y.to_double() / mechanism_.units.force.si.to_double();
         largest_ = nearest::hypot(fx, fy);
         Formula acting = pair_of(fx, fy);
-        return {force(entry.symbol), upright(body(entry.body)), std::move(acting),
+        return {force(entry.symbol), upright(acts_on(entry)), std::move(acting),
                 way(point_at(entry.at), entry.velocity, q), work_of(dot(entry.force, entry.velocity).to_double())};
     }
     /// "δr_A = (0.2; −0.1) m/rad δθ_1".

@@ -369,15 +369,17 @@ std::string bracketed(double value, Language language) {
     return text.find(' ') == std::string::npos ? text : "(" + text + ")";
 }
 
-/// "−4 · 0.5²": one sign, followed by the moduli of the factors.
+/// "−4 · 0.5²": one sign, followed by the moduli of the factors; "4 · (−0.5)" where the sign is a factor's own.
 std::string product_of(const std::vector<Working::Factor>& factors, Language language) {
     double sense = 1;
-    for (const Working::Factor& each : factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
+    for (const Working::Factor& each : factors) sense *= each.value < 0 && !each.squared && !each.own_sign ? -1 : 1;
     std::string product = sense < 0 ? "−" : "";
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const double size = std::abs(factors[i].value);
         product += (i > 0 ? std::string(unbroken_blank) + "·" + unbroken_blank : "") +
-                   (factors[i].squared ? bracketed(size, language) + "²" : factor(size, language));
+                   (factors[i].squared                            ? bracketed(size, language) + "²"
+                    : factors[i].own_sign && factors[i].value < 0 ? "(−" + factor(size, language) + ")"
+                                                                  : factor(size, language));
     }
     return product;
 }
@@ -569,6 +571,7 @@ RichText typeset(const LineReason& reason, Language language) {
         return {piece((perpendicular ? "⟂ " : "∥ ") + reason.from)};
     text.back().text += " ";
     append(text, reason.own_name ? RichText{piece(reason.from)} : point_name(reason.from));
+    if (!reason.to.empty()) append(text, " (" + reason.to + ")");
     return text;
 }
 

@@ -44,7 +44,8 @@ TEST(WorkedArithmetic, ComeOutInEveryExample) {
                 if (working.factors.empty()) continue;
                 ++multiplied;
                 double product = 1;
-                for (const auto& [value, squared] : working.factors) product *= squared ? value * value : value;
+                for (const Working::Factor& each : working.factors)
+                    product *= each.squared ? each.value * each.value : each.value;
                 if (working.divisor) product /= *working.divisor;
                 if (!working.summands.empty()) product = 0;
                 for (std::size_t i = 0; i < working.summands.size(); ++i)

@@ -181,7 +181,8 @@ void OfForces::stretched(StatementIndex statement) {
         const double stretch = distance(solution_.pose.at(spring->between[0]), solution_.pose.at(spring->between[1])) -
                                spring->elastic->free_length.to_double();
         const double force = spring->elastic->stiffness.to_double() * stretch;
-        telling_.tell(statement, of, {{in(spring->elastic->stiffness.to_double(), units_.force)}, {stretch}},
+        telling_.tell(statement, of,
+                      {{in(spring->elastic->stiffness.to_double(), units_.force)}, {stretch, false, true}},
                       std::nullopt, in(force, units_.force), units_.force);
     }
 }
