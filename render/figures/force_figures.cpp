@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "engine/number/functions.hpp"
@@ -718,6 +719,13 @@ void show_only(Subject& subject, const FreeBody& body) {
         if (body.body != none && mass.body == body.body) show(mass.centre);
 }
 
+/// The loads of the mechanism that act.
+std::function<bool(const DistributedLoad&)> loads_that_act(const LoadCase& loads) {
+    return [&loads](const DistributedLoad& each) {
+        return !loads.is_alone() || loads.solution().mechanism.body(each.body).name == loads.load();
+    };
+}
+
 /// "Loads alone on body 3".
 std::string words_of_load(const DrawingContext& context, const std::string& load) {
     const bool body = context.solution.mechanism.body_named(load).has_value();
@@ -1008,7 +1016,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                            .exactly = wish.exactly};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
-        draw_in_colour(sketch);
+        draw_in_colour(sketch, loads_that_act(loads));
         name_points(sketch);
         Clutter clutter;
         clutter.add(sketch.bodies);

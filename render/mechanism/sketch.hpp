@@ -2,6 +2,7 @@
 // declared below; each has its own file and is independent of the others.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -62,7 +63,8 @@ private:
 
 // The whole mechanism.
 
-void draw_in_colour(Sketch& sketch);
+/// `acts`: which distributed loads are drawn; empty: all.
+void draw_in_colour(Sketch& sketch, const std::function<bool(const DistributedLoad&)>& acts = {});
 /// The same as a thin grey skeleton, under vectors.
 void draw_in_grey(Sketch& sketch);
 /// The outline of one free body. `Subject::shown` selects its points.

@@ -64,12 +64,13 @@ void own_tints(std::vector<Mark>& marks, std::size_t first, BodyIndex body) {
         if (auto* path = std::get_if<Path>(&marks[i]); path != nullptr && path->tinted) path->tint_of = body;
 }
 
-void draw_in_colour(Sketch& sketch) {
+void draw_in_colour(Sketch& sketch, const std::function<bool(const DistributedLoad&)>& acts) {
     draw_frame(sketch);
     for (const Load& load : sketch.mechanism.loads) {
         if (const auto* spring = std::get_if<SpringLoad>(&load)) draw_spring(sketch, *spring);
         if (const auto* torsion = std::get_if<TorsionLoad>(&load)) draw_torsion_spring(sketch, *torsion);
-        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+        const auto* distributed = std::get_if<DistributedLoad>(&load);
+        if (distributed != nullptr && (!acts || acts(*distributed)))
             draw_distributed(sketch, *distributed, sketch.ground);
     }
     std::vector<BodyIndex> below;
