@@ -121,13 +121,23 @@ void draw_coil(Sketch& sketch, const SpringLoad& spring) {
     sketch.ground.emplace_back(GroupEnd{});
 }
 
+/// Two points that a force of a given magnitude pulls together, as a rope does.
+void draw_pull(Sketch& sketch, const SpringLoad& pull) {
+    sketch.ground.emplace_back(
+        GroupBegin{"pull", sketch.id("spring", pull.name), pull.name, {}, none, between_ends(pull)});
+    sketch.ground.emplace_back(line(sketch.spot(pull.between[0]), sketch.spot(pull.between[1]), sketch.outline()));
+    sketch.ground.emplace_back(GroupEnd{});
+}
+
 }  // namespace
 
 void draw_spring(Sketch& sketch, const SpringLoad& spring) {
-    if (!spring.elastic && spring.magnitude.sign() < 0)
+    if (spring.elastic)
+        draw_coil(sketch, spring);
+    else if (spring.magnitude.sign() < 0)
         draw_gas_spring(sketch, spring);
     else
-        draw_coil(sketch, spring);
+        draw_pull(sketch, spring);
     const Spot from = sketch.spot(spring.between[0]), to = sketch.spot(spring.between[1]), along = unit(to - from);
     const std::vector<Joint>& joints = sketch.mechanism.joints;
     for (const std::size_t end : {0U, 1U}) {
