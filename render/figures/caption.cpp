@@ -40,8 +40,11 @@ RichText scale_words(const DrawingContext& context, const Figure& figure) {
     std::string text;
     if (figure.unit == "m") {
         text = ratio_words(figure.scale, context.language);
-        if (units.length.symbol != "mm")
-            text += after + scale_of(figure.scale / units.length.si.to_double(), units.length.symbol);
+        // In feet or inches the ratio alone is a plain number.
+        constexpr std::size_t plain = 7;
+        const double in_unit = figure.scale / units.length.si.to_double();
+        if (units.length.symbol != "mm" && character_count(shortest_scale(in_unit, context.language)) < plain)
+            text += after + scale_of(in_unit, units.length.symbol);
     } else {
         text = scale_of(figure.scale, figure.unit);
     }

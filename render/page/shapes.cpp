@@ -348,9 +348,12 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
     const std::string number_text = number(value, 1, language);
     const double digits = fonts.width(with_powers(number_text), theme.body_text);
     const double baseline = origin.y - 1.3, half = zero.width / 2;
+    // On a short bar a long number stands further to the right.
+    constexpr double apart = 1.2;
+    const double number_at = std::max(width - digits / 2, half + apart);
     set_text(marks, std::move(zero), {origin.x - half, baseline}, theme.text, "text");
     set_text(marks, fonts.shape(with_powers(number_text + " " + unit_symbol), theme.body_text),
-             {origin.x + width - digits / 2, baseline}, theme.text, "text");
+             {origin.x + number_at, baseline}, theme.text, "text");
 }
 
 Box box_of(std::span<const Mark> marks) {
