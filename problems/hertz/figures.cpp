@@ -140,6 +140,9 @@ private:
         RichText words = formula(
             "{r_" + number + "} = " +
             amount(radius * scale_, QuantityKind::length, context_.solution.mechanism.units, context_.language));
+        // Of a body whose principal planes are turned against the figure it is neither of its given radii.
+        if (of.which == 1 && !problem_.line && !problem_.turn.is_zero())
+            append(words, one_piece(" " + in(Words(lang::hertz::in_this_plane), context_.language)));
         figure.labels.push_back({.text = std::move(words),
                                  .size = theme_.derived,
                                  .colour = theme_.text,

@@ -125,7 +125,9 @@ private:
                 figure.marks.emplace_back(panel(hull_of(spots), colour.tint, outline));
             aside = 0.7 * spots[1] + 0.3 * spots[0];
         } else if (of.centre != found_.at) {
-            figure.marks.emplace_back(line(spot(of.centre), origin_, {theme_.link, colour.line, {}, true}));
+            std::vector<Spot> rod{spot(of.centre), origin_};
+            if (of.pivot) rod.insert(rod.begin(), spot(*of.pivot));
+            figure.marks.emplace_back(polyline(rod, {theme_.link, colour.line, {}, true}));
         } else {
             figure.marks.emplace_back(
                 ring(origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_), 2.2, colour.tint, outline));

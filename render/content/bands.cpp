@@ -230,7 +230,10 @@ private:
             all.emplace_back(context_, axes_words());
             const Mechanism& mechanism = solution_.mechanism;
             if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
-                all.emplace_back(context_, one_piece(word(lang::sheet::nothing_driven, context_.language)));
+                all.emplace_back(context_,
+                                 one_piece(word(wanted_.shown().has_centres() ? lang::sheet::nothing_driven
+                                                                              : lang::sheet::nothing_driven_or_found,
+                                                context_.language)));
         }
         double height = 0;
         for (const Paragraph& each : all) height += each.height(measure_);

@@ -127,6 +127,32 @@ protected:
         return all;
     }
 
+    using CheckedRow = std::array<RichText, 4>;
+    std::vector<CheckedRow> result_table() const {
+        std::vector<CheckedRow> rows{{one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
+                                     one_piece(say(head_of(3)))}};
+        const std::vector<ProblemValue>& all = context_.solution.problem->values;
+        for (const ProblemValue& each : all) {
+            const ResultCells cells = cells_of(each, all, context_.solution.mechanism.units, context_.language);
+            RichText name = symbol_of(each.symbol);
+            append(name, one_piece("  " + say(each.name)));
+            rows.push_back({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)});
+        }
+        return rows;
+    }
+    /// Right edges of the columns: at their usual places, or further left where the next one needs the room.
+    std::array<double, 4> edges_of(const std::vector<CheckedRow>& rows, double width) const {
+        constexpr double gap = 2;
+        std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
+        for (std::size_t i = 2; i > 0; --i) {
+            double next = 0;
+            for (const CheckedRow& row : rows)
+                next = std::max(next, context_.fonts.width(row.at(i + 1), context_.theme.small));
+            rights.at(i) = std::min(rights.at(i), rights.at(i + 1) - next - gap);
+        }
+        return rights;
+    }
+
     std::vector<Item> results(std::size_t section) const {
         std::vector<Item> all;
         Block table;
@@ -138,8 +164,9 @@ protected:
             table.marks.emplace_back(line({0, y}, {width, y}, {weight, context_.theme.text, {}, false}));
             y += 1;
         };
-        const auto row = [&](const std::array<RichText, 4>& cells, Colour colour) {
-            const std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
+        const std::vector<CheckedRow> rows = result_table();
+        const std::array<double, 4> rights = edges_of(rows, width);
+        const auto row = [&](const CheckedRow& cells, Colour colour) {
             for (std::size_t i = 1; i < cells.size(); ++i) {
                 const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
                 set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
@@ -152,18 +179,9 @@ protected:
             y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
         };
         rule(context_.theme.outline);
-        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
-             one_piece(say(head_of(3)))},
-            context_.theme.secondary);
+        row(rows.front(), context_.theme.secondary);
         rule(context_.theme.thin);
-        const Units& units = context_.solution.mechanism.units;
-        for (const ProblemValue& each : context_.solution.problem->values) {
-            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
-            RichText name = symbol_of(each.symbol);
-            append(name, one_piece("  " + say(each.name)));
-            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)},
-                context_.theme.text);
-        }
+        for (std::size_t i = 1; i < rows.size(); ++i) row(rows[i], context_.theme.text);
         rule(context_.theme.outline);
         table.width = width;
         table.height = y;
