@@ -191,8 +191,9 @@ public:
 
 private:
     std::optional<Status> not_drawn(Diagnostics faults) const {
-        // The theme has been read before: what is wrong without a place in the file is the name of the figure.
-        if (faults.front().kind == Diagnostic::Kind::bad_input && faults.front().place.empty())
+        // The theme has been read before: what is wrong without a place in the file is wrong with the figure.
+        const bool has_figure = !request_.drawing.figure.empty();
+        if (has_figure && faults.front().kind == Diagnostic::Kind::bad_input && faults.front().place.empty())
             faults.front().text = Words(lang::command_line::figure) + faults.front().text;
         return cannot_draw(spoken(request_.file), faults, request_.language());
     }

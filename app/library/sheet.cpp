@@ -86,14 +86,15 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
     return codes;
 }
 
+Diagnostics not_drawn(const char* place, const Words& why) {
+    return {diagnostic_of(Diagnostic::Kind::bad_input, place, why)};
+}
+
 /// Why there is no sheet or page of a solution, with the place in its file.
 std::optional<Diagnostics> why_not_drawn(const Solution& solution, bool in_steps) {
-    const auto at = [](const char* place, const Words& why) {
-        return Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, place, why)};
-    };
-    if (const auto beyond = render::beyond_doubles(solution)) return at("/points", *beyond);
+    if (const auto beyond = render::beyond_doubles(solution)) return not_drawn("/points", *beyond);
     if (const auto beyond = in_steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
-        return at("/find", *beyond);
+        return not_drawn("/find", *beyond);
     return std::nullopt;
 }
 
@@ -238,6 +239,8 @@ Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_ou
     std::vector<Text> remarks;
     auto pages = lay_out(*sheet, **fonts, remarks);
     if (!pages) return tl::unexpected(pages.error());
+    for (const render::Page& page : *pages)
+        if (const auto beyond = render::beyond_paper(page)) return tl::unexpected(not_drawn("", *beyond));
     return Drawing(Shared<const Drawing::State>(
         new Drawing::State{{}, *std::move(pages), std::move(remarks), (*fonts)->missing()}));
 }
@@ -316,14 +319,15 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     auto dark = dark_beside(options);
     if (dark) dark = render::with_colours_of(*std::move(dark), solution.mechanism);
     const render::SheetOptions coloured = with_colours_of(*sheet, solution.mechanism);
-    std::string html = render::live_page(solution, moving, coloured, dark, **fonts, version);
+    auto html = render::live_page(solution, moving, coloured, dark, **fonts, version);
+    if (!html) return tl::unexpected(not_drawn("", html.error()));
     std::vector<Text> remarks;
     if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
     if (!solution.mechanism.cam_file.empty()) remarks.push_back(text_of(app::cam_stays(solution.mechanism)));
     if (!solution.mechanism.drivers.empty() && is_beyond_moving(solution.mechanism))
         remarks.push_back(text_of(Words(lang::library::the_page_does_not_move, std::to_string(most_moved_bodies),
                                         std::to_string(most_moved_drivers))));
-    return LivePage{std::move(html), std::move(remarks)};
+    return LivePage{*std::move(html), std::move(remarks)};
 }
 
 Expected<std::string> waiting_page(const std::string& name, const DrawingOptions& options) {

@@ -477,8 +477,10 @@ public:
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
         for (const AppliedForce& sum : body_.sums)
-            if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
-                                                  [&](const AppliedForce& f) { return f.force == sum.force; }))
+            if (!is_near(beside_body(sum)))
+                continue;
+            else if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
+                                                       [&](const AppliedForce& f) { return f.force == sum.force; }))
                 draw_force(beside_body(sum), sum_binding(load_, body_, sum));
             else
                 add_line_of(sum, sum_binding(load_, body_, sum));
@@ -502,6 +504,14 @@ private:
         const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
         sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
         return sum;
+    }
+    /// Whether the line of a resultant passes so near the body that both can be seen in one figure. A couple moves a
+    /// small force far away; its value and its distance stand in the sentences.
+    bool is_near(const AppliedForce& sum) const {
+        constexpr double sizes = 20;
+        const Box box = sketch_.mechanism_box();
+        const double size = std::max({box.width(), box.height(), line_overshoot});
+        return contains(grown(box, sizes * size), sketch_.spot(sum.at));
     }
     double unit_of_moment() const { return sketch_.mechanism.units.moment.si.to_double(); }
     void draw_force(const AppliedForce& applied, const std::string& held) {
@@ -943,8 +953,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const auto asked = asked_scale(mechanism, FigureKind::free_body);
     const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
     constexpr double roomy = 80;
+    // Kept where the longest arrow has room at it.
+    const bool is_kept = asked && longest / *asked <= room_x + room_y;
     ForceScale forces{si,
-                      asked         ? *asked / si
+                      is_kept       ? *asked / si
                       : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
                                     : 1,
                       room_x >= roomy, at_pairs};
@@ -975,7 +987,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     Figure figure = drawn();
     // Where the body has no room beside its forces, these become shorter, not the body.
     constexpr double least_of_longest = 12;  // mm
-    while (has_length && !asked && (figure.box.width() > room_x || figure.box.height() > room_y) &&
+    while (has_length && !is_kept && (figure.box.width() > room_x || figure.box.height() > room_y) &&
            longest / si / next_scale(forces.per_millimetre) >= least_of_longest) {
         forces.per_millimetre = next_scale(forces.per_millimetre);
         figure = drawn();

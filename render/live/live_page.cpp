@@ -26,6 +26,7 @@
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
+#include "render/sheet/sheet_limits.hpp"
 #include "render/text/bound_blank.hpp"
 
 namespace kinegraph::render {
@@ -149,7 +150,7 @@ public:
                const Fonts& fonts)
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
-    std::string write(const std::optional<Theme>& dark, int served) {
+    tl::expected<std::string, Words> write(const std::optional<Theme>& dark, int served) {
         std::string sheets;
         const Language first = options_.language;
         write_words(first, data_.open('{'));
@@ -159,6 +160,7 @@ public:
             sheets += sheet(language);
             data_.close();
         }
+        if (beyond_) return refused(*beyond_);
         data_.close();
         if (dark) data_.member("dark", true);
         if (served > 0) data_.member("served", served);
@@ -219,6 +221,7 @@ private:
         std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
         std::string out;
         for (AloneFigure& figure : drawn) {
+            if (beyond_ = beyond_paper(figure.page); beyond_) return {};
             figure.page.tells_holds = true;
             write_figure(figure, solution_, data_);
             const std::string svg =
@@ -324,13 +327,15 @@ private:
     const SheetOptions& options_;
     const Fonts& fonts_;
     Drawings drawings_;
+    std::optional<Words> beyond_{};  ///< why a figure cannot be written
     JsonWriter data_{JsonWriter::Style::script};
 };
 
 }  // namespace
 
-std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
-                      const std::optional<Theme>& dark, const Fonts& fonts, int served) {
+tl::expected<std::string, Words> live_page(const Solution& solution, const std::optional<Moving>& moving,
+                                           const SheetOptions& options, const std::optional<Theme>& dark,
+                                           const Fonts& fonts, int served) {
     return PageWriter(solution, moving, options, fonts).write(dark, served);
 }
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include <tl/expected.hpp>
+
 #include "engine/solution/moving.hpp"
 #include "render/sheet/sheet.hpp"
 
@@ -22,8 +24,10 @@ namespace kinegraph::render {
 /// `moving`: empty if the mechanism has one position only; then the page is static. `options.language`: shown first.
 /// `dark`: theme for dark screens; empty if the user chose a theme. `served`: for a page that is served while its file
 /// is watched, its version, from 1: the page polls the server for a later version or an error; 0: a file on disk.
-std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
-                      const std::optional<Theme>& dark, const Fonts& fonts, int served = 0);
+/// Refused, with the reason: a figure that cannot be written (beyond_paper).
+tl::expected<std::string, Words> live_page(const Solution& solution, const std::optional<Moving>& moving,
+                                           const SheetOptions& options, const std::optional<Theme>& dark,
+                                           const Fonts& fonts, int served = 0);
 /// The page served before a file has been solved: its name, its errors, and a reload as soon as there is a solution.
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark);
 

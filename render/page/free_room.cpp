@@ -73,16 +73,26 @@ bool Occupancy::has_free(int columns, int rows) const {
 
 namespace {
 
+/// In how many pieces of a millimetre or less something is looked at; what is longer than every paper, in the trials of
+/// a figure, is looked at in longer ones.
+int pieces_of(double length, int least) {
+    constexpr double piece = 0.9, most = 2000;
+    return std::max(least, static_cast<int>(std::ceil(std::min(length / piece, most))));
+}
+
 /// Calls see() with the spots that marks cover.
 template <class See>
 void look_over(const std::vector<Mark>& marks, See see) {
     const auto fill = [&](const Box& box) {
-        for (double y = box.min.y; y < box.max.y + 0.9; y += 0.9)
-            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9)
-                see(Spot{std::min(x, box.max.x), std::min(y, box.max.y)});
+        const int rows = pieces_of(box.height(), 0), columns = pieces_of(box.width(), 0);
+        const double down = std::max(0.9, box.height() / std::max(rows, 1));
+        const double right = std::max(0.9, box.width() / std::max(columns, 1));
+        for (int row = 0; row <= rows; ++row)
+            for (int column = 0; column <= columns; ++column)
+                see(Spot{std::min(box.min.x + column * right, box.max.x), std::min(box.min.y + row * down, box.max.y)});
     };
     const auto stroke = [&](Spot from, Spot to) {
-        const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / 0.9)));
+        const int pieces = pieces_of(length(to - from), 1);
         for (int i = 0; i <= pieces; ++i) see(from + (static_cast<double>(i) / pieces) * (to - from));
     };
     for (const Mark& mark : marks) {
@@ -105,7 +115,7 @@ void look_over(const std::vector<Mark>& marks, See see) {
                     pen = c->to;
                 } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
                     const double sweep = a->to - a->from;
-                    const int pieces = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) * a->radius / 0.9)));
+                    const int pieces = pieces_of(std::abs(sweep) * a->radius, 2);
                     for (int i = 0; i <= pieces; ++i) {
                         const double angle = a->from + sweep * i / pieces;
                         pen = a->centre + a->radius * Spot{nearest::cos(angle), nearest::sin(angle)};

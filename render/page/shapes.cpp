@@ -140,6 +140,45 @@ struct Bounds {
     }
 };
 
+/// The largest coordinate or radius; infinite if one is no number.
+struct Farthest {
+    double away = 0;
+    void add(double value) {
+        const double size = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::abs(value);
+        away = std::max(away, size);
+    }
+    void add(Spot spot) {
+        add(spot.x);
+        add(spot.y);
+    }
+    void add(const Path& path) {
+        for (const Segment& segment : path.segments)
+            std::visit(Overloaded{[&](const MoveTo& s) { add(s.to); }, [&](const LineTo& s) { add(s.to); },
+                                  [&](const CurveTo& s) {
+                                      add(s.control_1);
+                                      add(s.control_2);
+                                      add(s.to);
+                                  },
+                                  [&](const ArcTo& s) {
+                                      add(s.centre);
+                                      add(s.radius);
+                                      add(s.from);
+                                      add(s.to);
+                                  },
+                                  [](const Close&) {}},
+                       segment);
+    }
+    void add(const TextMark& text) {
+        for (const Glyph& glyph : text.glyphs) {
+            add(glyph.origin);
+            add(glyph.size);
+        }
+        add(text.pivot);
+        add(text.angle);
+        for (const Path& extra : text.extras) add(extra);
+    }
+};
+
 struct Head {
     double length, width;
 };
@@ -385,6 +424,19 @@ void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds) {
     for (std::size_t i = first; i < marks.size(); ++i)
         if (auto* path = std::get_if<Path>(&marks[i]); path != nullptr && path->holds.form == Holds::Form::nothing)
             path->holds = holds;
+}
+
+bool can_be_written(std::span<const Mark> marks) {
+    Farthest farthest;
+    for (const Mark& mark : marks)
+        std::visit(Overloaded{[&](const auto& drawn) { farthest.add(drawn); },
+                              [&](const Axis& axis) {
+                                  farthest.add(axis.tail);
+                                  farthest.add(axis.tip);
+                              },
+                              [](const GroupBegin&) {}, [](const GroupEnd&) {}},
+                   mark);
+    return farthest.away <= farthest_mark;
 }
 
 void move(Spot& spot, double dx, double dy) { Shift{dx, dy}(spot); }

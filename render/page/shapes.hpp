@@ -66,6 +66,10 @@ void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statemen
 void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds);
 /// Bounding box of all marks: strokes with their width, text with its ink. Empty box at the origin for an empty list.
 Box box_of(std::span<const Mark> marks);
+/// The farthest that a mark may lie from the corner of its page, mm: a kilometre, which every format can write.
+constexpr double farthest_mark = 1e6;
+/// Whether every coordinate of the marks is a number and none is farther away than that.
+bool can_be_written(std::span<const Mark> marks);
 /// Translates marks, or one spot. Coordinates are snapped to 1e-8 mm.
 void move(std::span<Mark> marks, double dx, double dy);
 void move(Spot& spot, double dx, double dy);

@@ -8,6 +8,7 @@
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/solution.hpp"
 #include "lang/keys/pages.hpp"
+#include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 
@@ -38,12 +39,18 @@ bool is_far_from_origin(const Solution& solution) {
 }  // namespace
 
 bool is_planned_twice(const Solution& solution) {
-    return solution.protocol.statements.size() + solution.mechanism.loads.size() <= most_compared &&
+    const std::size_t loads = solution.mechanism.loads.size();
+    return solution.protocol.statements.size() + loads <= most_compared && loads <= most_compared_loads &&
            solution.protocol.polygons.size() <= most_compared_polygons;
 }
 
 std::optional<Words> beyond_doubles(const Solution& solution) {
     if (is_far_from_origin(solution)) return Words(lang::pages::points_far_from_the_origin);
+    return std::nullopt;
+}
+
+std::optional<Words> beyond_paper(const Page& page) {
+    if (!can_be_written(page.marks)) return Words(lang::pages::a_figure_goes_beyond_its_page);
     return std::nullopt;
 }
 

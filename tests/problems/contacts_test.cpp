@@ -12,6 +12,7 @@
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/pages.hpp"
 #include "tests/support/problem_tests.hpp"
 #include "tests/support/schema_gate.hpp"
@@ -119,6 +120,15 @@ TEST(Contacts, WhatPressesNothingIsSaid) {
     const std::size_t loads = unloaded.find("\"loads\"");
     unloaded.replace(loads, unloaded.find("\"effort\"") - loads, "");
     EXPECT_NE(remark(unloaded).in(Language::en).find("was not found"), std::string::npos);
+}
+
+// The check integrates over the width of the contact: without end where its load is lost beside far larger forces.
+TEST(Contacts, ALoadThatTheCheckLosesIsStillAnswered) {
+    std::string text = tests::contents(tests::example_file("joint_contact/driven_wheel"));
+    text.replace(text.find("-30 kN"), 6, "-30e-40 kN");
+    const Solution solution = solved(text);
+    EXPECT_NEAR(stated_at(solution).force.to_double() * 1e36, 3, 1e-9);
+    expect_line(found_at(solution), 3e-36, 0.45, reduced(207e9, 0.292, 207e9, 0.292), 0.04);
 }
 
 TEST(Contacts, FaultsAreToldWhereTheyStand) {

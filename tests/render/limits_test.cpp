@@ -1,14 +1,21 @@
 // Limits: what is too large for a sheet or a live page, what asked twice is one, and one position of a cam.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "constructions/moving/moving.hpp"
 #include "engine/mechanism/cam.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/figure_alone.hpp"
 #include "render/sheet/sheet_limits.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/fonts.hpp"
 #include "tests/support/solved.hpp"
+#include "tests/support/through_all.hpp"
 
 namespace kinegraph::limits_test {
 namespace {
@@ -57,6 +64,70 @@ TEST(SheetLimits, WhatDoublesDoNotTellApartIsNotDrawn) {
     }
 }
 
+/// The places of the numbers of a file, those with a unit among them.
+std::vector<Json::json_pointer> numbers_of(const Json& file) {
+    std::vector<Json::json_pointer> places;
+    const Json leaves = file.flatten();
+    for (const auto& [place, value] : leaves.items()) {
+        const bool with_unit = value.is_string() && value.get<std::string>().find_first_of("-0123456789") == 0;
+        const bool is_data = place != "/kinegraph" && place != "/frame" && place.find("/bodies") == std::string::npos;
+        if (is_data && (value.is_number() || with_unit)) places.emplace_back(place);
+    }
+    return places;
+}
+/// The same number with a power of ten.
+Json times_power(const Json& number, const std::string& power) {
+    const std::string text = number.is_string() ? number.get<std::string>() : number.dump();
+    const std::size_t end = std::min(text.find_first_not_of("-0123456789."), text.size());
+    const std::string scaled = text.substr(0, end) + "e" + power;
+    return number.is_string() ? Json(scaled + text.substr(end)) : Json::parse(scaled);
+}
+
+// A coordinate that no format writes ended the program where values of one figure differ by more than 10^12.
+TEST(SheetLimits, NumbersOfAnySizeAreDrawnOrRefused) {
+    const std::vector<std::string> powers{"-59", "18", "-13", "9", "-20", "40"};
+    int drawn = 0, refused = 0;
+    std::size_t turn = 0;
+    for (const std::string name : {"lever_on_springs", "sluice_gate_mirrored", "excavator_arm", "engine_inertia_gas",
+                                   "motion/projectile", "three_hinged_arch", "joint_contact/driven_wheel"}) {
+        const Json file = Json::parse(tests::contents(tests::example_file(name)));
+        const auto places = numbers_of(file);
+        ASSERT_FALSE(places.empty()) << name;
+        for (const auto& place : places) {
+            const std::string power = powers[turn++ % powers.size()];
+            SCOPED_TRACE(name + (" " + place.to_string()) + " e" + power);
+            Json changed = file;
+            changed[place] = times_power(file[place], power);
+            const auto far = tests::through_all(changed.dump(), tests::fonts());
+            drawn += far.drawn;
+            refused += far.solved && !far.drawn;
+        }
+    }
+    EXPECT_GT(drawn, 50);
+    EXPECT_GT(refused, 5);
+}
+
+/// A lever on two springs, of which the weak one moves the reaction far away by the couple of the other.
+TEST(SheetLimits, WhatACoupleMovesFarAwayLeavesItsBodyToBeSeen) {
+    Json file = Json::parse(tests::contents(tests::example_file("lever_on_springs")));
+    for (const char* stiffness : {"1e-3 N/m", "1e-9 N/m"}) {
+        file["loads"][0]["stiffness"] = stiffness;
+        const auto page = render::lay_out_alone(solved(file.dump()), {}, "body-2", tests::fonts());
+        ASSERT_TRUE(page) << stiffness;
+        EXPECT_LT(page->width, 300) << stiffness;
+        EXPECT_FALSE(render::beyond_paper(*page)) << stiffness;
+        std::vector<render::Mark> link;
+        for (std::size_t i = 0, open = 0; i < page->marks.size(); ++i) {
+            const auto* const group = std::get_if<render::GroupBegin>(&page->marks[i]);
+            if (group != nullptr && (open > 0 || group->cls == "link")) ++open;
+            if (open > 0) link.push_back(page->marks[i]);
+            if (open > 0 && std::holds_alternative<render::GroupEnd>(page->marks[i])) --open;
+        }
+        ASSERT_FALSE(link.empty()) << stiffness;
+        EXPECT_GT(render::box_of(link).height(), 20) << "the lever is seen, " << stiffness;
+    }
+}
+
 /// A four-bar with points on its coupler, each seen from the crank.
 Solution seen_from_the_crank(int points) {
     Json file = Json::parse(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 2], "B": [5, 3], "Q": [6, 0]},
@@ -79,6 +150,13 @@ TEST(SheetLimits, DozensOfPolygonsAreNotPlannedThreeTimes) {
     const Solution many = seen_from_the_crank(33);
     EXPECT_FALSE(render::beyond_sheet(many));
     EXPECT_FALSE(render::is_planned_twice(many));
+    Json loaded = Json::parse(tests::contents(tests::example_file("beam")));
+    EXPECT_TRUE(render::is_planned_twice(solved(loaded.dump())));
+    for (int i = 0; i < 60; ++i) {
+        loaded["loads"].push_back(loaded["loads"][0]);
+        loaded["loads"].back()["force"] = "G" + std::to_string(i);
+    }
+    EXPECT_FALSE(render::is_planned_twice(solved(loaded.dump())));
 }
 
 TEST(LiveLimits, AMechanismOfManyDriversStandsStill) {

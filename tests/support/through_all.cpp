@@ -11,6 +11,7 @@
 #include "engine/results/results.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
+#include "render/sheet/sheet_limits.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::tests {
@@ -95,9 +96,13 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
         results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });
     expect(nlohmann::json::accept(results), "the results are no JSON");
     results_table(*solution, Language::it);
+    for (const auto& refused : {beyond_doubles(*solution), beyond_sheet(*solution)})
+        if (refused) return expect_said(*refused), far;
     const std::vector<Page> pages = lay_out(*solution, {}, fonts);
-    for (const Page& page : pages)
+    for (const Page& page : pages) {
         for (const Mark& mark : page.marks) std::visit(IsFinite(), mark);
+        if (const auto refused = beyond_paper(page)) return expect_said(*refused), far;
+    }
     to_svg(pages, fonts);
     to_live_svg(pages, fonts);
     to_tex(pages, fonts);
