@@ -441,6 +441,7 @@ void add_travel(CLI::App& command, SweepRequest& request) {
     command.add_option("--to", request.options.to, "Where it ends")->type_name("TURN");
     command.add_option("--steps", request.options.steps, "Steps from the first position to the last")
         ->check(whole_number(0, most_steps))
+        ->each([&request](const std::string&) { request.says_steps = true; })
         ->type_name("N")
         ->capture_default_str();
 }

@@ -43,6 +43,7 @@ struct SweepRequest {
     SweepOptions options;              ///< without drivers and step
     std::vector<std::string> drivers;  ///< by name: the first moves, the others follow; empty: the first of the file
     std::vector<std::string> step;     ///< quantities: step of each driver that follows, or of the parameter
+    bool says_steps = false;           ///< whether their number is said, too
     DrawingOptions sheet;
     std::string theme = "colour";
     Lettering lettering = Lettering::outlines;

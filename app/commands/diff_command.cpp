@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "app/commands/commands.hpp"
@@ -114,6 +115,8 @@ Status diff_command(const DiffRequest& request) {
     if (request.expected == "-" && request.actual == "-")
         return refuse({lang::command_line::standard_input_can_be_one_of}, language);
     if (request.output == "-") return refuse({lang::command_line::the_difference_picture_needs_a_file}, language);
+    if (const auto ending = std::filesystem::path(request.output).extension(); !ending.empty() && ending != ".png")
+        return refuse({lang::command_line::the_difference_picture_is_a_png, request.output}, language);
     for (const std::string& picture : {request.expected, request.actual})
         if (!request.output.empty() && same_file(request.output, picture))
             return refuse({lang::command_line::o_would_overwrite_a_picture, request.output}, language);

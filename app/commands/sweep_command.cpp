@@ -7,6 +7,7 @@
 #include "app/commands/outputs.hpp"
 #include "app/commands/progress.hpp"
 #include "lang/keys/command_line.hpp"
+#include "lang/keys/common.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -18,6 +19,9 @@ tl::expected<SweepOptions, Words> options_of(const SweepRequest& request) {
     if (!request.drivers.empty()) options.driver = request.drivers.front();
     if (!options.over.empty()) {
         if (request.step.size() > 1) return tl::unexpected(Words(lang::command_line::step_is_given_twice));
+        if (!request.step.empty() && request.says_steps)
+            return tl::unexpected(
+                Words(lang::common::do_not_go_together, std::string("--step"), std::string("--steps")));
         if (!request.step.empty()) options.step = request.step.front();
         return options;
     }

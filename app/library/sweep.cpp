@@ -13,6 +13,7 @@
 #include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sweeps.hpp"
 #include "render/sheet/cycle_sheet.hpp"
+#include "render/sheet/sheet_limits.hpp"
 
 namespace kinegraph {
 namespace {
@@ -193,18 +194,21 @@ Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
         return refused(Diagnostic::Kind::bad_input, {lang::sweeps::a_problem_in_place_of_joints});
     if (!state.has_rows)
         if (const auto computed = sweep.write({}); !computed) return tl::unexpected(computed.error());
-    return drawing_of(options,
-                      [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
-                          std::vector<Text>&) -> Expected<std::vector<render::Page>> {
-                          Mechanism plain = state.mechanism;
-                          plain.find = {};
-                          plain.find.stated = plain.find.velocity = true;
-                          const auto drawn = solve(std::move(plain));
-                          if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
-                          const std::vector<render::Way> ways = state.finish_table();
-                          return render::lay_out_cycle(*drawn, state.table, state.plots, ways,
-                                                       with_colours_of(sheet, state.mechanism), fonts);
-                      });
+    return drawing_of(
+        options,
+        [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
+            std::vector<Text>&) -> Expected<std::vector<render::Page>> {
+            Mechanism plain = state.mechanism;
+            plain.find = {};
+            plain.find.stated = plain.find.velocity = true;
+            const auto drawn = solve(std::move(plain));
+            if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
+            if (const auto beyond = render::beyond_doubles(*drawn))
+                return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/points", *beyond)});
+            const std::vector<render::Way> ways = state.finish_table();
+            return render::lay_out_cycle(*drawn, state.table, state.plots, ways,
+                                         with_colours_of(sheet, state.mechanism), fonts);
+        });
 }
 
 Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& options) {

@@ -12,6 +12,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/board/replay.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/motion/closure.hpp"
 #include "engine/motion/place_rules.hpp"
 #include "engine/motion/repositioned.hpp"
 #include "engine/number/functions.hpp"
@@ -140,6 +141,7 @@ public:
           is_displaced_(is_displaced) {}
 
     std::optional<Moving> moving(const Rereading& rereading) {
+        if (!closure_of(mechanism_, pose_) || !carriers_of(mechanism_)) return std::nullopt;
         add_columns();
         add_plan(solution_);
         mover_.emplace(mechanism_, pose_);

@@ -107,15 +107,13 @@ private:
 }  // namespace
 
 Mover::Mover(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism) {
-    const auto draw = [&](Pose drawn) {
-        auto closure = closure_of(mechanism, drawn);
-        KG_ASSERT(closure.has_value(), "positions have been found from this pose");
-        return Drawn{std::move(drawn), *std::move(closure)};
-    };
-    drawn_ = draw(pose);
+    auto closure = closure_of(mechanism, pose);
+    KG_ASSERT(closure.has_value(), "positions have been found from this pose");
+    drawn_ = {pose, *std::move(closure)};
     // A drawing that closes at 100 bits and not at 200 depends on a coincidence of its numbers; then nothing shrinks.
-    auto finer = draw_pose(mechanism, 2 * pose.bits);
-    finer_ = finer ? draw(*std::move(finer)) : drawn_;
+    finer_ = drawn_;
+    if (auto finer = draw_pose(mechanism, 2 * pose.bits))
+        if (auto closed = closure_of(mechanism, *finer)) finer_ = {*std::move(finer), *std::move(closed)};
     auto carriers = carriers_of(mechanism);
     KG_ASSERT(carriers.has_value(), "positions have been found from this pose");
     carriers_ = *std::move(carriers);

@@ -74,7 +74,7 @@ TEST_F(DiffCommand, OtherSizesAreADifferenceWhateverTheThreshold) {
 
 TEST_F(DiffCommand, WhatIsNoPictureIsTwoAndLeavesNothing) {
     const auto before = snapshot();
-    const std::array<std::pair<const char*, const char*>, 12> rows{{
+    const std::array<std::pair<const char*, const char*>, 13> rows{{
         {"diff", "kinegraph: EXPECTED is required.*"},
         {"diff white.png", "kinegraph: ACTUAL is required.*"},
         {"diff white.png absent.png -o d.png", "absent.png: cannot be read: No such file or directory"},
@@ -85,6 +85,7 @@ TEST_F(DiffCommand, WhatIsNoPictureIsTwoAndLeavesNothing) {
         {"diff - -", "kinegraph: standard input can be one .*"},
         {"diff white.png dotted.png -o -", "kinegraph: the difference picture needs a file.*"},
         {"diff white.png dotted.png -o white.png", "kinegraph: -o white.png would overwrite .*"},
+        {"diff white.png dotted.png -o d.svg", "kinegraph: -o d.svg: the difference picture is a PNG; .*"},
         {"diff white.png dotted.png --threshold 2", "kinegraph: --threshold.*is not a share.*"},
         {"diff white.png dotted.png --tolerance nan", "kinegraph: --tolerance.*is not a number from 0 to 1.*"},
     }};

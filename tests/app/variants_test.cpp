@@ -461,7 +461,8 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     const Outcome open = run("sweep vary.json --over d --from \"150 mm\" --to \"450 mm\" --step \"150 mm\"");
     EXPECT_EQ(open.status, 3);
     EXPECT_TRUE(open.err.starts_with(
-        "vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
+        "vary.json: 2 rows are left out, where the file gives no unique answer; the first is d = 300 mm, the last 450 "
+        "mm\n"
         "vary.json: largest difference from the numeric check: "))
         << open.err;
     EXPECT_EQ(lines_of(open.out).size(), 2U);
@@ -472,6 +473,7 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     };
     wrong("--over R --from 1 --to 2", "--over \"R\": the file has no parameter named \"R\" (did you mean \"r\"?)");
     wrong("--over r --from 1 --to 2", "--from is a bare number; the parameter r is a length");
+    wrong("--over r --from \"1 mm\" --to \"3 mm\" --step \"1 mm\" --steps 2", "--step and --steps do not go together");
     wrong("--over r --from \"1 mm\"", "--over wants --from and --to");
     wrong("--over r --from \"1 mm\" --to \"2 s\"", "--from is a length, and --to or --step is a quantity in s");
     wrong("--over r --from \"1 mm\" --to \"2 mm\" --driver 2",

@@ -180,6 +180,15 @@ TEST(RelativeMotion, AskedTwiceIsOne) {
     EXPECT_EQ(asked(one + "," + other + "," + one), 2U);
 }
 
+// Beside a point 45 million kilometres away the centres of curvature of a cam and its roller are one: nothing is known
+// of other positions, and the page took it for a fault of its own.
+TEST(LiveLimits, AMechanismThatDoesNotCloseStandsStill) {
+    Json file = Json::parse(tests::contents(tests::example_file("variants/cam")));
+    EXPECT_TRUE(moving_of(solved(file.dump())));
+    file["points"]["H"]["distance"] = 45e12;
+    EXPECT_FALSE(moving_of(solved(file.dump())));
+}
+
 TEST(PositionOfCam, SaysSoAndIsNotMoved) {
     const auto cam = read_cam(R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": 10, "base radius": 40,
         "follower": {"moves": "translating", "face": "roller", "radius": 8},
