@@ -80,9 +80,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
         results.truss = drawing.finish();
         results.truss->whole = whole_of(model, runs.meets(), whole);
         for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
-        if (!drawing.has_plan())
-            results.remarks.push_back(
-                {lang::sentences::truss_without_plan, {Count{static_cast<int>(truss.bars.size())}}});
+        if (!drawing.has_plan()) results.remarks.push_back(drawing.why_no_plan());
         return results;
     }
     board.rewind(before);

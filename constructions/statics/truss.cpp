@@ -20,6 +20,14 @@ TrussDrawing::TrussDrawing(ForceModel& model, Board& board, const Mechanism& mec
     known_.take_supports(whole);
 }
 
+Message TrussDrawing::why_no_plan() const {
+    if (const auto& bars = plan_.crossing())
+        return {lang::sentences::truss_with_crossing,
+                {known_.name_of_bar(bars->first), known_.name_of_bar(bars->second)}};
+    if (const auto pin = plan_.inside()) return {lang::sentences::truss_loaded_inside, {known_.name_of(*pin)}};
+    return {lang::sentences::truss_in_parts, {}};
+}
+
 // --- solving
 
 bool TrussDrawing::resolve() {

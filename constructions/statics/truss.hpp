@@ -33,6 +33,8 @@ public:
     Truss finish();
     const std::vector<Unsolved>& unsolved() const { return cuts_.unsolved(); }
     bool has_plan() const { return plan_.exists(); }
+    /// A remark.
+    Message why_no_plan() const;
 
 private:
     void open_plan();

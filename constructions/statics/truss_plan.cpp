@@ -12,9 +12,15 @@ TrussPlan::TrussPlan(Board& board, const TrussStructure& truss, const std::vecto
     if (!hangs_together() || any_cross()) return;
     order_round_pins();
     walk_faces();
-    exists_ = std::all_of(loaded.begin(), loaded.end(), [&](int pin) {
+    exists_ = are_on_border(loaded);
+}
+
+bool TrussPlan::are_on_border(const std::vector<int>& loaded) {
+    const auto inside = std::find_if_not(loaded.begin(), loaded.end(), [&](int pin) {
         return std::any_of(border_.begin(), border_.end(), [&](HalfBar half) { return head(half) == pin; });
     });
+    if (inside != loaded.end()) inside_ = *inside;
+    return inside == loaded.end();
 }
 
 bool TrussPlan::hangs_together() const {
@@ -60,7 +66,10 @@ bool TrussPlan::any_cross() {
     const auto bars = static_cast<int>(truss_.bars.size());
     for (int bar = 0; bar < bars; ++bar)
         for (int other = bar + 1; other < bars; ++other)
-            if (cross(bar, other)) return true;
+            if (cross(bar, other)) {
+                crossing_.emplace(bar, other);
+                return true;
+            }
     return false;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "constructions/statics/force_model.hpp"
@@ -25,6 +26,10 @@ public:
 
     /// Whether there is a plan: the bars are connected and do not cross, and external forces act on the border.
     bool exists() const { return exists_; }
+    /// Why there is none: the first bars that cross, or the first pin with an external force that is not on the border.
+    /// Neither: the bars are not connected.
+    const std::optional<std::pair<int, int>>& crossing() const { return crossing_; }
+    std::optional<int> inside() const { return inside_; }
     /// Draws the spaces, and the polygon of the forces with each bar once. `pulls`: of each bar on the first of its
     /// pins. `opening`: the statement with the given external forces.
     void draw(Truss& truss, std::vector<OuterForce> outer, const std::vector<std::optional<Force>>& pulls,
@@ -42,6 +47,7 @@ private:
     bool hangs_together() const;
     bool cross(int bar, int other);
     bool any_cross();
+    bool are_on_border(const std::vector<int>& loaded);
     void order_round_pins();
     bool comes_first(Ray from, Ray a, Ray b, int sense);
     int extreme_pin();
@@ -54,6 +60,8 @@ private:
 
     Board& board_;
     const TrussStructure& truss_;
+    std::optional<std::pair<int, int>> crossing_;
+    std::optional<int> inside_;
     std::vector<std::vector<HalfBar>> round_;  ///< by pin: its bars counter-clockwise from −x
     std::vector<HalfBar> border_;              ///< clockwise around the truss
     std::vector<int> face_;                    ///< by half bar: face on its left; 0: outside

@@ -148,14 +148,15 @@ private:
                 append(text, ")");
             }
             (is_reaction ? forces.reactions : forces.active).push_back(std::move(text));
-            if (is_reaction && applied.from == frame && body.body > frame)
-                on_frame_.push_back(action_on_frame(body.body, applied));
+            if (is_reaction && applied.from == frame && body.body != frame)
+                on_frame_.push_back(action_on_frame(body, applied));
         }
         return forces;
     }
     /// F_21 = −F_12.
-    RichText action_on_frame(BodyIndex body, const AppliedForce& applied) const {
-        const std::string &own = name_of(body), &fixed = name_of(frame);
+    RichText action_on_frame(const FreeBody& body, const AppliedForce& applied) const {
+        const std::string& own = body.body != none ? name_of(body.body) : mechanism_.point(body.pin).name;
+        const std::string& fixed = name_of(frame);
         const Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
                           own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed, applied.symbol.term};
         RichText action = typeset(back, context_.language);

@@ -65,9 +65,12 @@ Key sense_word(const Truss& truss, std::size_t bar, double value) {
     return value > 0 ? lang::sheet::tension : lang::sheet::compression;
 }
 
+/// On the plan; without one, on the polygon of the whole truss.
 Measured measured_or(const std::vector<Figure>& figures, const std::string& name, bool& found) {
+    const auto has_bars = [](const Figure& figure) { return figure.traits.has_bars; };
+    const bool on_plan = std::any_of(figures.begin(), figures.end(), has_bars);
     for (const Figure& figure : figures)
-        if (figure.traits.has_bars)
+        if (on_plan ? has_bars(figure) : figure.traits.measured == QuantityKind::force)
             if (const auto length = measured_on(figure, name)) {
                 found = true;
                 return *length;
@@ -139,6 +142,12 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
         if (found) row.millimetres = measured.millimetres;
         rows.push_back(std::move(row));
     };
+    // What is given first: the polygon begins with it.
+    for (const Truss::External& external : truss.externals) {
+        if (external.joint != none) continue;
+        const double value = kinegraph::length(*external.force) / si;
+        add({.kind = Quantity::Kind::load, .given = external.given}, external.symbol, value, value);
+    }
     for (const Truss::External& external : truss.externals) {
         if (external.joint == none) continue;
         // The check lists it as the action on the frame.
