@@ -129,8 +129,8 @@ protected:
 
     using CheckedRow = std::array<RichText, 4>;
     std::vector<CheckedRow> result_table() const {
-        std::vector<CheckedRow> rows{{one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
-                                     one_piece(say(head_of(3)))}};
+        std::vector<CheckedRow> rows{{one_piece(say(head_of(0))), one_piece(say(head_of(1))),
+                                      one_piece(say(head_of(2))), one_piece(say(head_of(3)))}};
         const std::vector<ProblemValue>& all = context_.solution.problem->values;
         for (const ProblemValue& each : all) {
             const ResultCells cells = cells_of(each, all, context_.solution.mechanism.units, context_.language);
