@@ -46,9 +46,12 @@ public:
             const std::size_t said = edit_distance(letters, other, most);
             const std::size_t length = std::max(word.size(), name.size());
             if (said > std::clamp<std::size_t>(length / 2, 1, most)) continue;
+            const bool other_letters = !std::is_permutation(letters.begin(), letters.end(), other.begin(), other.end());
+            // Two slips that begin at the first letter are another word: "nodes" is no "bodies".
+            if (said > 1 && other_letters && letters.substr(0, 1) != other.substr(0, 1)) continue;
             const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
-            const Rank rank{said, !std::is_permutation(letters.begin(), letters.end(), other.begin(), other.end()),
-                            edit_distance(word, name, most), numbers_apart(letters, other), -prefix};
+            const Rank rank{said, other_letters, edit_distance(word, name, most), numbers_apart(letters, other),
+                            -prefix};
             if (!best || rank < best->first) best = {rank, name};
         }
         if (!best) return std::nullopt;

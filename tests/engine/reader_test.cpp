@@ -343,6 +343,15 @@ TEST(Reader, FaultsComeInTheFilesOrder) {
         "/joints: an array of joints is wanted here, not the number 3\n");
 }
 
+TEST(Reader, AnotherWordIsNoMisspeltOne) {
+    const auto said_of = [](const std::string& key) {
+        return refusal(R"({"kinegraph": 1, ")" + key + R"(": {}, "joints": []})");
+    };
+    EXPECT_NE(said_of("pionts").find("unknown key \"pionts\" (did you mean \"points\"?)"), std::string::npos);
+    EXPECT_NE(said_of("bodeis").find("(did you mean \"bodies\"?)"), std::string::npos);
+    EXPECT_EQ(said_of("nodes").find("did you mean"), std::string::npos) << said_of("nodes");
+}
+
 TEST(Reader, AMisspeltNameIsToldOnce) {
     // The joint with the unknown point still has its name; the driver's reference to it is sound.
     EXPECT_EQ(refusal(with_joint(R"({"prismatic": "Z", "bodies": [2, 0], "along": 0})")
