@@ -428,7 +428,8 @@ private:
         for (const NamedResult& each : results)
             if (!is_on_request(each.column)) table.columns.push_back(each.column);
         const std::size_t usual = table.columns.size();
-        table.columns.insert(table.columns.end(), on_request_.columns.begin(), on_request_.columns.end());
+        for (const Column& each : on_request_.columns)
+            if (is_on_request(each)) table.columns.push_back(each);
         table.columns.insert(table.columns.end(), on_request_.columns_of_defined.begin(),
                              on_request_.columns_of_defined.end());
         if (on_request_.has_least_transmission_angle) table.columns.push_back(transmission_column());

@@ -83,9 +83,18 @@ ColumnsOnRequest columns_on_request(const SweepOptions& options, const Mechanism
     const auto is_named = [&](const Column& column) {
         return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == column.name; });
     };
+    const auto is_component_of_named = [&](const Column& column) {
+        const std::string vector = vector_of_component(column);
+        return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == vector; });
+    };
     ColumnsOnRequest found;
-    for (const Column& column : operands)
-        if (result_kind(column.quantity).on_request && is_named(column)) found.columns.push_back(column);
+    for (const Column& column : operands) {
+        const ResultKind& kind = result_kind(column.quantity);
+        if (kind.on_request && is_named(column)) found.columns.push_back(column);
+        if (kind.subject == ResultKind::Subject::action && !is_modulus(column) &&
+            (is_named(column) || is_component_of_named(column)))
+            found.columns.push_back(column);
+    }
     for (ResultExpression& each : defined_results(mechanism))
         if (is_named(each.column())) {
             found.columns_of_defined.push_back(each.column());

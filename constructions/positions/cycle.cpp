@@ -111,7 +111,7 @@ public:
             if (clock_.has_time()) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
             for (Column& column : columns_found(solution))
                 if (!result_kind(column.quantity).on_request) columns_.push_back(std::move(column));
-            columns_.insert(columns_.end(), on_request_.begin(), on_request_.end());
+            add_on_request(columns_found(solution, true));
             efforts_.add(solution, columns_);
             values_.resize(columns_.size());
             empty_.assign(columns_.size(), false);
@@ -343,6 +343,17 @@ private:
         positions_.read(places_);
         return true;
     }
+    /// Those of the columns on request that are not there: of actions, which a solution has or has not, the reactions.
+    void add_on_request(const std::vector<Column>& found) {
+        const auto is_in = [](const std::vector<Column>& columns, const Column& column) {
+            return std::any_of(columns.begin(), columns.end(),
+                               [&](const Column& each) { return each.name == column.name; });
+        };
+        for (const Column& column : on_request_)
+            if (result_kind(column.quantity).on_request || (is_in(found, column) && !is_in(columns_, column)))
+                columns_.push_back(column);
+    }
+
     // --- by record
     Solution planned_here() {
         ++planned_;
@@ -382,7 +393,7 @@ private:
         });
     }
     bool fill_from(const Solution& solution) {
-        const std::vector<FoundValue> entries = found_values(solution);
+        const std::vector<FoundValue> entries = found_values(solution, true);
         return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
             for (const FoundValue& entry : entries)
                 if (entry.quantity == columns_[i].quantity) return std::pair{entry.vector, entry.scalar};

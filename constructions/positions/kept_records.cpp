@@ -18,7 +18,7 @@ bool KeptRecords::is_usual(const Solution& solution) {
 
 void KeptRecords::keep(const Solution& solution, const std::vector<Column>& columns, int settled,
                        const std::function<bool(const Given&)>& moves) {
-    const std::vector<FoundValue> entries = found_values(solution);
+    const std::vector<FoundValue> entries = found_values(solution, true);
     std::vector<ElementIndex> wanted;
     for (const Column& column : columns)
         for (const FoundValue& entry : entries)

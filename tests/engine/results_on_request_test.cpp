@@ -371,6 +371,26 @@ TEST(MechanicalAdvantage, IsOfOneLoadAndOneEffort) {
     EXPECT_DOUBLE_EQ((*asked)[1].value, 2 * (*asked)[0].value);
 }
 
+// --- reactions
+
+TEST(Reactions, AreColumnsWhereTheyAreAskedFor) {
+    const Rows found = rows_of(example_text("four_bar_inertia"),
+                               "Fx A 3 on 2, Fx A 2 on 3, 'F A 3 on 2' * v A, 'F A 2 on 3' * v A, F O2 1 on 2", 24);
+    double largest = 0;
+    for (std::size_t i = 0; i < found.rows.size(); ++i) {
+        const auto of = [&](const char* name) { return found.at(i, name).value(); };
+        EXPECT_NEAR(of("Fx A 2 on 3"), -of("Fx A 3 on 2"), 1e-12);
+        EXPECT_NEAR(of("'F A 2 on 3' * v A"), -of("'F A 3 on 2' * v A"), 1e-12);
+        largest = std::max(largest, std::abs(of("'F A 2 on 3' * v A")));
+    }
+    EXPECT_GT(largest, 1);
+    SweepOptions unknown;
+    unknown.columns = "F A 1 on 3";
+    const auto file = MechanismFile::parse(example_text("four_bar_inertia"), "test.json");
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(Sweep::of(*file, unknown)) << "A does not join 1 and 3";
+}
+
 // --- trusses
 
 TEST(BarForces, AreThoseOfTheResultsFile) {
