@@ -12,6 +12,7 @@ namespace kinegraph {
 
 /// The mechanical advantage: the load over the input force or couple, where there is one of each and nothing else acts.
 /// Of a force the load is its magnitude. It has the sign of the effort, of two couples that of their quotient.
+/// The kinetic energy of all masses; where one driver moves them, the inertia or mass that has it at the driver's rate.
 std::vector<ResultExpression> defined_results(const Mechanism& mechanism);
 
 std::vector<Column> parameter_columns(const Mechanism& mechanism);

@@ -371,6 +371,56 @@ TEST(MechanicalAdvantage, IsOfOneLoadAndOneEffort) {
     EXPECT_DOUBLE_EQ((*asked)[1].value, 2 * (*asked)[0].value);
 }
 
+// --- kinetic energy
+
+TEST(KineticEnergy, ChangesByTheWorkThatInertiaForcesTake) {
+    constexpr long steps = 1440;
+    const Rows found =
+        rows_of(example_text("four_bar_inertia"),
+                "turn, omega 2, kinetic energy, power inertia 2, power inertia 3, power inertia 4", steps);
+    const auto of = [&](std::size_t row, const char* name) { return found.at(row, name).value(); };
+    double largest = 0, most_off = 0;
+    for (std::size_t i = 1; i + 1 < found.rows.size(); ++i) {
+        const double change = (of(i + 1, "kinetic energy") - of(i - 1, "kinetic energy")) /
+                              (of(i + 1, "turn") - of(i - 1, "turn")) * of(i, "omega 2");
+        const double taken = of(i, "power inertia 2") + of(i, "power inertia 3") + of(i, "power inertia 4");
+        largest = std::max(largest, std::abs(taken));
+        most_off = std::max(most_off, std::abs(change + taken));
+    }
+    EXPECT_GT(largest, 1);
+    // The difference of neighbours is off by the square of the step, 1/230, times what the third derivative has.
+    EXPECT_LT(most_off, 2e-3 * largest);
+}
+
+TEST(KineticEnergy, IsThatOfTheReducedInertiaAtTheDriver) {
+    const Rows found = rows_of(example_text("four_bar_inertia"), "kinetic energy, reduced inertia, omega 2", 24);
+    EXPECT_EQ(found.columns[1].unit, "N m");
+    EXPECT_EQ(found.columns[2].unit, "kg m²");
+    for (std::size_t i = 0; i < found.rows.size(); ++i)
+        EXPECT_NEAR(*found.at(i, "kinetic energy"),
+                    *found.at(i, "reduced inertia") * std::pow(*found.at(i, "omega 2"), 2) / 2, 1e-14);
+}
+
+TEST(KineticEnergy, CountsCentresAtRestAndCentresThatOtherBodiesCarry) {
+    // The crank turns about its centre; the slider's is the pin of the coupler.
+    const std::string masses = R"("masses": {"2": {"mass": 3, "centre": "O", "inertia": 0.02},
+                                             "4": {"mass": 0.5, "centre": "B"}})";
+    const Rows found =
+        rows_of(with(example_text("slider_crank"), masses), "kinetic energy, reduced inertia, omega 2, vx B, vy B", 24);
+    for (std::size_t i = 0; i < found.rows.size(); ++i) {
+        const auto of = [&](const char* name) { return found.at(i, name).value(); };
+        const double slides = of("vx B") * of("vx B") + of("vy B") * of("vy B");
+        EXPECT_NEAR(of("kinetic energy"), 0.01 * of("omega 2") * of("omega 2") + 0.25 * slides, 1e-12);
+    }
+    std::string at_rest = with(example_text("slider_crank"), masses);
+    const std::string key = "\"omega\": ";
+    const auto digits = at_rest.find(key) + key.size();
+    at_rest.replace(digits, at_rest.find_first_of(",}", digits) - digits, "0");
+    const auto all = named_results(tests::solved(at_rest));
+    EXPECT_EQ(result_named(all, "kinetic energy")->value, 0);
+    EXPECT_EQ(result_named(all, "reduced inertia"), nullptr) << "0 over 0";
+}
+
 // --- reactions
 
 TEST(Reactions, AreColumnsWhereTheyAreAskedFor) {
