@@ -6,7 +6,7 @@
 #include "engine/number/assert.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
-#include "render/layout/beside.hpp"
+#include "render/layout/free_corner.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {

@@ -7,7 +7,7 @@
 
 #include "engine/number/functions.hpp"
 #include "render/figures/caption.hpp"
-#include "render/layout/beside.hpp"
+#include "render/layout/free_corner.hpp"
 #include "render/page/scale.hpp"
 
 namespace kinegraph::render {

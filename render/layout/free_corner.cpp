@@ -1,5 +1,5 @@
 // Implementation of beside.hpp.
-#include "render/layout/beside.hpp"
+#include "render/layout/free_corner.hpp"
 
 #include <algorithm>
 #include <initializer_list>
