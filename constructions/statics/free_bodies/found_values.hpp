@@ -3,7 +3,7 @@
 #pragma once
 
 #include "constructions/statics/forces.hpp"
-#include "constructions/statics/free_bodies/way.hpp"
+#include "constructions/statics/free_bodies/intermediate_constructions.hpp"
 
 namespace kinegraph::statics {
 

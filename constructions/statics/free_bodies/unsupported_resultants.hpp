@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "constructions/statics/free_bodies/way.hpp"
+#include "constructions/statics/free_bodies/intermediate_constructions.hpp"
 
 namespace kinegraph::statics {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "constructions/statics/forces.hpp"
-#include "constructions/statics/free_bodies/way.hpp"
+#include "constructions/statics/free_bodies/intermediate_constructions.hpp"
 
 namespace kinegraph::statics {
 

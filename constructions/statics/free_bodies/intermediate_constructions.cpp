@@ -1,4 +1,4 @@
-#include "constructions/statics/free_bodies/way.hpp"
+#include "constructions/statics/free_bodies/intermediate_constructions.hpp"
 
 #include <algorithm>
 #include <utility>
