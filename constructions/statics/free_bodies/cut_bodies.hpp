@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "constructions/statics/free_bodies/verdict.hpp"
+#include "constructions/statics/free_bodies/determinacy.hpp"
 
 namespace kinegraph::statics {
 

@@ -1,4 +1,4 @@
-#include "constructions/statics/free_bodies/verdict.hpp"
+#include "constructions/statics/free_bodies/determinacy.hpp"
 
 #include <algorithm>
 #include <string>
