@@ -1,4 +1,4 @@
-// Implementation of beside.hpp.
+// Implementation of free_corner.hpp.
 #include "render/layout/free_corner.hpp"
 
 #include <algorithm>
