@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "constructions/statics/truss/idle_bars.hpp"
 #include "lang/keys/sentences.hpp"
 
 namespace kinegraph::statics {

@@ -1,4 +1,4 @@
-#include "constructions/statics/truss/idle_bars.hpp"
+#include "constructions/statics/truss/known_truss.hpp"
 #include "lang/keys/sentences.hpp"
 
 #include <vector>
