@@ -374,9 +374,14 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre) {
     const RichText name = typeset(symbol_of(sketch.mechanism, centre), sketch.context.language);
     for (LabelRequest& label : sketch.labels)
         if (!label.toward && coincide(label.anchor, at)) {
-            const bool said = plain(label.text).find(plain(name)) != std::string::npos;
-            if (!said) append(label.text, one_piece(" ≡ "));
-            if (!said) append(label.text, name);
+            const auto is_same = [](const Piece& one, const Piece& other) {
+                return one.text == other.text && one.sub == other.sub && one.sup == other.sup;
+            };
+            if (std::search(label.text.begin(), label.text.end(), name.begin(), name.end(), is_same) ==
+                label.text.end()) {
+                append(label.text, one_piece(" ≡ "));
+                append(label.text, name);
+            }
             return;
         }
     sketch.centres.emplace_back(disc(at, 0.8, sketch.theme.text));
