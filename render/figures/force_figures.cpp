@@ -930,6 +930,12 @@ Box extent_of_free_body(const LoadCase& loads, std::size_t index) {
     return extent_of_body(Subject(loads.solution()), loads.bodies()[index]).all;
 }
 
+/// The scale in the file, where the longest arrow has room at it.
+std::optional<double> kept_scale(const Mechanism& mechanism, double longest, Spot room) {
+    const auto asked = asked_scale(mechanism, FigureKind::free_body);
+    return asked && longest / *asked <= room.x + room.y ? asked : std::nullopt;
+}
+
 }  // namespace
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
@@ -950,13 +956,11 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const double longest = longest_force(body);
     const Unit& unit = mechanism.units.force;
     const double si = unit.si.to_double();
-    const auto asked = asked_scale(mechanism, FigureKind::free_body);
+    const auto kept = kept_scale(mechanism, longest, {room_x, room_y});
     const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
     constexpr double roomy = 80;
-    // Kept where the longest arrow has room at it.
-    const bool is_kept = asked && longest / *asked <= room_x + room_y;
     ForceScale forces{si,
-                      is_kept       ? *asked / si
+                      kept          ? *kept / si
                       : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
                                     : 1,
                       room_x >= roomy, at_pairs};
@@ -987,7 +991,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     Figure figure = drawn();
     // Where the body has no room beside its forces, these become shorter, not the body.
     constexpr double least_of_longest = 12;  // mm
-    while (has_length && !is_kept && (figure.box.width() > room_x || figure.box.height() > room_y) &&
+    while (has_length && !kept && (figure.box.width() > room_x || figure.box.height() > room_y) &&
            longest / si / next_scale(forces.per_millimetre) >= least_of_longest) {
         forces.per_millimetre = next_scale(forces.per_millimetre);
         figure = drawn();

@@ -72,7 +72,8 @@ export class Stage {
     /** @param {string} layer */
     isOn(layer) {
         if (!this.ofStep) return this.chosen.has(layer);
-        const {ofStep} = this, shows = this.allFigures().some(({info}) => info.layer === layer && ofStep.has(info.name));
+        const {ofStep} = this;
+        const shows = this.allFigures().some(({info}) => info.layer === layer && ofStep.has(info.name));
         return this.turned.get(layer) ?? shows;
     }
     /** @param {string} layer */

@@ -126,7 +126,8 @@ export class Steps {
         const {page} = this, figures = sentence ? this.figuresOf(sentence) : [];
         const all = page.stage.allFigures(), last = figures[figures.length - 1];
         for (const node of page.sheet.querySelectorAll('[data-shows]')) node.removeAttribute('data-shows');
-        if (sentence) (all.find(({name, info}) => last ? name === last : info.layer === '') ?? all[0])?.node.setAttribute('data-shows', 'step');
+        const shown = all.find(({name, info}) => last ? name === last : info.layer === '') ?? all[0];
+        if (sentence) shown?.node.setAttribute('data-shows', 'step');
         page.stage.take(sentence ? new Set(figures) : null);
     }
     /**

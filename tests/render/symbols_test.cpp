@@ -181,6 +181,11 @@ const std::string hydraulic =
 const std::string sprung =
     R"("points": {"O": [0, 0], "A": [0.3, 0.2], "B": [0.4, 0]}, "bodies": {"2": ["O", "A"]},
        "joints": [{"revolute": "O", "bodies": [1, 2]}],
+       "loads": [{"spring": "S", "bodies": [2, 1], "between": ["A", "B"], "stiffness": 100, "free length": 0.1}])";
+
+const std::string pulled =
+    R"("points": {"O": [0, 0], "A": [0.3, 0.2], "B": [0.4, 0]}, "bodies": {"2": ["O", "A"]},
+       "joints": [{"revolute": "O", "bodies": [1, 2]}],
        "loads": [{"force": "S", "bodies": [2, 1], "between": ["A", "B"], "magnitude": 10}])";
 
 TEST(Symbols, a_wheel_stands_on_the_ground_it_rolls_on) {
@@ -337,6 +342,16 @@ TEST(Symbols, a_spring_ends_at_its_two_points) {
     EXPECT_LT(length(coil.front() - drawn.points[1]), 1e-6);
     EXPECT_LT(length(coil.back() - drawn.points[2]), 1e-6);
     EXPECT_GT(coil.size(), 6U);
+}
+
+TEST(Symbols, a_pull_of_given_magnitude_is_the_line_of_its_points) {
+    const Drawn drawn(pulled);
+    const std::vector<Mark> pull = drawn.group("spring-S");
+    ASSERT_EQ(pull.size(), 1U);
+    const std::vector<Spot> rope = outline(std::get<Path>(pull[0]));
+    ASSERT_EQ(rope.size(), 2U);
+    EXPECT_LT(length(rope.front() - drawn.points[1]), 1e-6);
+    EXPECT_LT(length(rope.back() - drawn.points[2]), 1e-6);
 }
 
 TEST(Symbols, a_pin_under_a_block_that_it_does_not_hold_is_drawn_hidden) {
