@@ -652,6 +652,7 @@ void measure_single(const Solution& solution, int polygon, bool has_rays, SizeWa
     const PolygonScene scene = polygon_scene(solution, polygon);
     size.extent_x = scene.width();
     size.extent_y = scene.height();
+    size.subject = scene.longest;
     if (has_rays) size.extent_x += size.extent();
 }
 std::vector<int> polygons_of_bodies(const Shown& /*any*/, const LoadCase& loads) {

@@ -546,6 +546,7 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     const PolygonScene& scene = shown.scene(id.of);
     size.extent_x = scene.width();
     size.extent_y = scene.height();
+    size.subject = scene.longest;
     size.empty = scene.empty();
     size.has_corner = !size.empty;
 }

@@ -124,10 +124,9 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
     return *known;
 }
 
-double BandLayouts::taken_in(Width width, double height, Notch notch) const {
+double BandLayouts::taken_by(const BandLayout& layout) const {
     constexpr double of_text = 0.7;     // lines end before their columns do, and there is white space between tables
     constexpr double of_figures = 0.5;  // much of a figure is white: two small ones fill a page better than one
-    const BandLayout layout = in(width, height, notch);
     double sum = 0;
     if (layout.divided > 0) {
         const ColumnText& own = text(layout.divided, layout.cornered);
@@ -161,10 +160,12 @@ double BandLayouts::price_of_white(const Arrangement& layout, const Best& best, 
     double left = best.whole, high = figures.y, sum = 0;
     if (layout.divided > 0) {
         const ColumnText& words = text(layout.divided, layout.cornered);
-        const int beside = layout.beside ? layout.columns - layout.under : 0;
+        const int beside = layout.beside ? layout.columns - layout.under : 0;  // at least one, if so
         const double columns = beside * (words.measure() + gap);
         left -= columns;
         if (layout.under > 0) {
+            // Where all text has room beside the figures, white is below it.
+            sum += price(columns, figures.y - words.whole_height() / beside);
             high = std::max(high,
                             words.whole_height() / layout.columns + (high + text_gap) * layout.under / layout.columns);
         } else if (layout.beside) {

@@ -127,8 +127,8 @@ public:
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// The scores for the heights 0, step, … most × step. Cached.
     const WorthByHeight& score(Width width, const Notch& notch, double step, int most) const;
-    /// Estimate of the area that text and lettered figures cover in such a space, mm².
-    double taken_in(Width width, double height, Notch notch) const;
+    /// Estimate of the area that text and lettered figures cover, mm².
+    double taken_by(const BandLayout& layout) const;
     /// Whether `other` has the same figures and text, so that the cached scores are valid for both.
     bool is_like(const BandLayouts& other) const;
     /// The text for columns of a page that is divided into `divided`.

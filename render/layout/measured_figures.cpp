@@ -55,13 +55,68 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     return sizes;
 }
 
+bool MeasuredFigures::may_grow(std::size_t figure) const {
+    const Wanted& wanted = wanted_.list[figure];
+    const bool is_kept = kept_ && kept_->of_figures.contains(wanted_.kept_as(wanted.id));
+    // A force polygon leaves the common scale only where its vectors could hardly be read.
+    const bool is_bound = wanted.to_force_scale && !wanted.may_be_larger;
+    return !is_kept && !is_bound && !wanted.empty && !wanted.spare && !wanted.asked && wanted.extent() >= nothing;
+}
+
+bool MeasuredFigures::is_small(std::size_t figure, const FigureSize& size) const {
+    const Wanted& wanted = wanted_.list[figure];
+    return may_grow(figure) && !wanted.fills && row_of(wanted.id.kind).traits.measured != QuantityKind::length &&
+           wanted.extent_of_subject() / size.scale < hardly_measured;
+}
+
+std::vector<FigureSize> MeasuredFigures::sizes_between(std::size_t figure, double scale) {
+    std::vector<FigureSize> sizes;
+    if (wanted_.list[figure].to_force_scale) return sizes;
+    for (const double each : scales_between(finer_scale(scale), scale))
+        measure(sizes, figure, {each, page(), {.finest = each, .exactly = true}}, Range::usual);
+    return sizes;
+}
+
+std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureSize& now, const Growth& growth) {
+    const Wanted& wanted = wanted_.list[figure];
+    std::vector<FigureSize> sizes;
+    if (!may_grow(figure) || !(now.x > 0) ||
+        wanted.extent_of_subject() / now.scale >= (wanted.to_force_scale ? hardly_measured : growth.enough))
+        return sizes;
+    const Spot most{std::min(growth.room.x, page().x), std::min(growth.room.y - caption_line, page().y)};
+    for (const double scale : finer_scales(wanted, now.scale)) {
+        // Its strokes grow, its names do not.
+        const double more = 1 / scale - 1 / now.scale;
+        const Spot own{now.x + more * wanted.extent_x, now.y + more * wanted.extent_y};
+        if (own.x > growth.room.x || own.y > growth.room.y || own.x * own.y > now.x * now.y + growth.left) continue;
+        const Measure measure =
+            wanted.fills ? filling_at(wanted, scale) : Measure{scale, most, {.finest = scale, .exactly = true}};
+        const std::size_t drawing = drawn(figure, measure);
+        const Figure& made = drawings_[figure][drawing].figure;
+        if (made.scale == any_scale || made.box.width() > most.x || made.box.height() > most.y) continue;
+        add_sizes(sizes, figure, drawing, score_of(wanted, measure, made, page().x), scale);
+    }
+    std::stable_sort(sizes.begin(), sizes.end(),
+                     [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
+    return sizes;
+}
+
+/// The scales to which a figure may grow, the finest first.
+std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double scale) const {
+    constexpr double larger = 1.2;
+    if (wanted.fills) return {scale / larger_body, scale / larger};
+    const double finest = finer_scale(scale);
+    if (row_of(wanted.id.kind).traits.measured == QuantityKind::length) return {finest};
+    return scales_between(finest, scale);
+}
+
 /// A figure that fills its room has shrunk where its names needed the room.
 double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing,
-                                 Range range) const {
+                                 double enough) const {
     constexpr double as_asked = 6;
     const bool has_shrunk = wanted.fills && drawing.places > measure.scale;
-    const double size = std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0,
-                                   range == Range::up_to_page ? page().x : wanted.enough);
+    const double size =
+        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0, enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
 }
 
@@ -72,7 +127,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const std::size_t free = drawn(figure, measure);
     const Figure& drawing = drawings_[figure][free].figure;
     if (drawing.scale == any_scale) return;
-    const double score = score_of(wanted, measure, drawing, range);
+    const double score = score_of(wanted, measure, drawing, range == Range::up_to_page ? page().x : wanted.enough);
     // What fills its room has the scale of its vectors; that of its strokes is not its own.
     const auto scale_of = [&](const Figure& drawn) { return wanted.fills ? measure.scale : drawn.scale; };
     add_sizes(sizes, figure, free, score, scale_of(drawing));
@@ -131,13 +186,10 @@ std::vector<double> MeasuredFigures::force_scales() const {
     return scales;
 }
 
-std::optional<double> MeasuredFigures::finer_force_scale() const {
+std::vector<double> MeasuredFigures::force_scales_between(double scale, double enough) const {
     const Wanted* largest = largest_of_forces();
-    const std::vector<double> scales = force_scales();
-    if (scales.empty() || (kept_ && kept_->of_forces)) return std::nullopt;
-    const double finer = finer_scale(scales.front());
-    const bool fits = largest->extent_x / finer < page().x && largest->extent_y / finer < page().y;
-    return fits ? std::optional(finer) : std::nullopt;
+    if (largest == nullptr || (kept_ && kept_->of_forces) || largest->extent_of_subject() / scale >= enough) return {};
+    return scales_between(finer_scale(scale), scale);
 }
 
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
@@ -194,6 +246,9 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Want
     if (wanted.may_be_larger && wanted.extent() / scale < readable_of_forces &&
         wanted.extent() <= small_part * largest_of_forces()->extent())
         scale = choose_scale(wanted.extent(), 0, own_scale_of_forces, 1, std::nullopt);
+    if (kept_ && wanted.may_be_larger)
+        if (const auto own = kept_->of_figures.find(wanted_.kept_as(wanted.id)); own != kept_->of_figures.end())
+            scale = std::min(scale, own->second);
     std::vector<Measure> all;
     for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)
         all.push_back({scale, {format_.span(columns, format_.columns), page().y}, {scale, {}}});

@@ -18,6 +18,11 @@
 
 namespace kinegraph::render {
 
+/// mm, the longest vector or the longer side of the links: below it a figure grows where it has room …
+constexpr double large_enough = 60;
+/// … and below this one a polygon may have a scale between those of the series.
+constexpr double hardly_measured = 40;
+
 /// Relative to the size at which a body in its room is large enough: the larger one, where there is room.
 constexpr double larger_body = 1.4;
 
@@ -35,8 +40,23 @@ public:
     /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
     /// polygons, or the file gives their scale.
     std::vector<double> force_scales() const;
-    /// A scale finer than all those, at which a page still holds the largest force polygon.
-    std::optional<double> finer_force_scale() const;
+    /// Whether it is a polygon that could hardly be measured at this size.
+    bool is_small(std::size_t figure, const FigureSize& size) const;
+    /// Its sizes at the scales between this one and the next finer one of the series, if they are not those of a
+    /// drawing or to the common scale of forces.
+    std::vector<FigureSize> sizes_between(std::size_t figure, double scale);
+    /// Where a figure may grow: the room of its band, the part of it that nothing covers, mm², and the size, mm, that
+    /// is large enough.
+    struct Growth {
+        Spot room;
+        double left, enough;
+    };
+    /// Its sizes at finer scales than that of `now` that there may be room for, the highest score first: drawings at
+    /// the next scale of the series, polygons also at those between.
+    std::vector<FigureSize> grown(std::size_t figure, const FigureSize& now, const Growth& growth);
+    /// The common scales of force polygons between this one and the next finer one of the series, the finest first,
+    /// where the largest polygon is smaller than `enough` mm.
+    std::vector<double> force_scales_between(double scale, double enough) const;
     const Figure& drawing(std::size_t figure, const FigureSize& size) const {
         return drawings_[figure][size.drawing].figure;
     }
@@ -57,8 +77,10 @@ private:
         ScaleWish wish;
     };
     void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range);
-    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing, Range range) const;
+    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing, double enough) const;
     const Wanted* largest_of_forces() const;
+    bool may_grow(std::size_t figure) const;
+    std::vector<double> finer_scales(const Wanted& wanted, double scale) const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;
     std::vector<Measure> filling(const Wanted& wanted, Range range) const;

@@ -48,14 +48,15 @@ Notch notch_of(const SheetFormat& format, double left, Width width) {
 
 class Planner {
 public:
-    Planner(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format)
+    Planner(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format,
+            int columns_more)
         : layouts_(layouts),
           bands_(bands),
           format_(format),
           heights_(at_index(std::max(steps_of(format, true), steps_of(format, false))) + 1) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
-            for (const int of : {format.columns, format.columns + 1}) {
-                if (static_cast<int>(cells) <= of - format.columns) continue;
+            for (int of = format.columns; of <= format.columns + columns_more; ++of) {
+                if (cells == 1 && of > format.columns) continue;
                 std::vector<int> now;
                 std::vector<std::vector<int>> all;
                 shares(of, cells, now, all);
@@ -177,7 +178,8 @@ private:
         for (const PlannedRow& row : page(first, end))
             for (const PlannedCell& cell : row)
                 for (const PlacedBand& placed : cell)
-                    taken += layouts_[placed.band].taken_in(placed.width, placed.room.height(), placed.notch);
+                    taken += layouts_[placed.band].taken_by(
+                        layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch));
         const double empty = std::max(0.0, 1 - taken / room);
         return (end < bands_.size() ? price_of_an_empty_page : price_of_an_empty_last_page) * empty * empty;
     }
@@ -407,9 +409,9 @@ double score_of_page(const BandLayouts& layouts, const SheetFormat& format, bool
     return layouts.in(whole, steps_of(format, first_page) * step, notch).score;
 }
 
-PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
-                    const SheetFormat& format) {
-    return Planner(layouts, bands, format).plan();
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format,
+                    int columns_more) {
+    return Planner(layouts, bands, format, columns_more).plan();
 }
 
 }  // namespace kinegraph::render

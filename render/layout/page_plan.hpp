@@ -30,6 +30,8 @@ struct PagePlan {
     std::vector<PlannedPage> pages;  ///< empty if no page can hold some band
     double score = BandLayout::impossible;
 };
-PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format);
+/// `columns_more`: bands side by side may also share the page in so many columns more than those of the format.
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format,
+                    int columns_more);
 
 }  // namespace kinegraph::render

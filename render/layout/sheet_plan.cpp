@@ -11,16 +11,29 @@ namespace kinegraph::render {
 
 namespace {
 
+constexpr int columns_more_at_first = 1, columns_more_for_small = 2;
+constexpr double packed = 0.85;                  // of a page, about the most that plans reach
 constexpr double larger_text[] = {1.25, 1.125};  // relative to the text of the format
 
 }  // namespace
 
 void SheetPlan::make() {
     if (now_.texts->size() != format_.text_size) now_ = {texts_of(format_.text_size)};
+    between_.clear();
+    large_.clear();
+    columns_more_ = columns_more_at_first;
     find_pages();
+    try_finer_shares();
     enlarge_figures();
     for (const double larger : larger_text)
         if (may_enlarge_text_ && may_hold_text(larger) && enlarge_text(larger * format_.text_size)) break;
+    fill_rooms();
+}
+
+const BandLayout& SheetPlan::layout_of(const PlacedBand& placed) const {
+    std::optional<BandLayout>& taken = now_.taken[placed.band];
+    if (!taken) taken = now_.layouts[placed.band].in(placed.width, placed.room.height(), placed.notch);
+    return *taken;
 }
 
 std::shared_ptr<BandTexts> SheetPlan::texts_of(double size) const {
@@ -40,14 +53,13 @@ bool SheetPlan::improves(std::shared_ptr<BandTexts> texts) {
 
 /// Whether each page has area enough for its figures and a larger text: a bound that is quick to compute.
 bool SheetPlan::may_hold_text(double larger) const {
-    constexpr double packed = 0.85;  // of a page, about the most that plans reach
     for (const PlannedPage& page : now_.pages) {
         const Box content = content_of(format_, &page == &now_.pages.front());
         double taken = 0;
         for (const PlannedRow& row : page)
             for (const PlannedCell& cell : row)
                 for (const PlacedBand& placed : cell) {
-                    const BandLayout layout = layout_of(placed);
+                    const BandLayout& layout = layout_of(placed);
                     for (const FigureSize& size : layout.sizes) taken += size.x * size.y;
                     if (layout.divided == 0) continue;
                     const ColumnText& text = layouts(placed.band).text(layout.divided, layout.cornered);
@@ -64,15 +76,49 @@ bool SheetPlan::enlarge_text(double size) {
     return std::none_of(bands_.list.begin(), bands_.list.end(), is_too_wide) && improves(texts);
 }
 
+/// Where polygons could hardly be measured: plans anew with scales between those of the series and with more columns
+/// that bands may share. Keeps what has fewer pages or is worth more.
+void SheetPlan::try_finer_shares() {
+    const auto is_better = [&](const auto& change) {
+        Planned before = std::exchange(now_, {now_.texts});
+        now_.layouts = std::vector(before.layouts);
+        change();
+        plan_all();
+        if (!now_.pages.empty() && (now_.pages.size() < before.pages.size() ||
+                                    (now_.pages.size() == before.pages.size() && now_.score > before.score)))
+            return true;
+        now_ = std::move(before);
+        return false;
+    };
+    if (const std::optional<double> before = force_scale_)
+        for (const double scale : measured_.force_scales_between(*before, hardly_measured)) {
+            if (is_better([&] { force_scale_ = scale; })) break;
+            force_scale_ = before;
+        }
+    std::map<std::size_t, double> small;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
+            if (const std::size_t figure = bands_.list[placed.band].figures[f];
+                layout.rooms[f].x > 0 && measured_.is_small(figure, layout.sizes[f]))
+                small.emplace(figure, layout.sizes[f].scale);
+    });
+    if (small.empty()) return;
+    if (is_better([&] { between_ = std::move(small), columns_more_ = columns_more_for_small; })) return;
+    between_.clear();
+    columns_more_ = columns_more_at_first;
+}
+
+/// Whether less than half of the room of a band is covered.
+bool SheetPlan::is_white(const PlacedBand& placed, const BandLayout& layout) const {
+    constexpr double half = 0.4;
+    return layouts(placed.band).taken_by(layout) < half * placed.room.width() * placed.room.height();
+}
+
 /// Figures that have their largest size may be larger where their bands have room for the next scale.
 void SheetPlan::enlarge_figures() {
-    large_.clear();
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
         const Band& band = bands_.list[placed.band];
-        const Box& room = placed.room;
-        constexpr double half = 0.4;
-        const bool is_white = now_.layouts[placed.band].taken_in(placed.width, room.height(), placed.notch) <
-                              half * room.width() * room.height();
+        if (!is_white(placed, layout)) return;
         for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
             const FigureSize& size = layout.sizes[f];
             const Wanted& wanted = wanted_.list[band.figures[f]];
@@ -80,16 +126,73 @@ void SheetPlan::enlarge_figures() {
             // Its strokes grow, its names do not.
             const double finer = wanted.fills ? size.scale / larger_body : finer_scale(size.scale);
             const double more = 1 / finer - 1 / size.scale;
-            if (is_white && size.x + more * wanted.extent_x < room.width() &&
-                size.y + more * wanted.extent_y < room.height())
+            if (size.x + more * wanted.extent_x < placed.room.width() &&
+                size.y + more * wanted.extent_y < placed.room.height())
                 large_.insert(band.question);
         }
     });
     if (!large_.empty() && !improves(now_.texts)) large_.clear();
-    const std::optional<double> finer = measured_.finer_force_scale(), before = force_scale_;
-    if (!finer || before != measured_.force_scales().front()) return;
-    force_scale_ = finer;
-    if (!improves(now_.texts)) force_scale_ = before;
+}
+
+/// Small figures, and all those of white bands, grow in the rooms that the plan gave to their bands; nothing else
+/// moves.
+void SheetPlan::fill_rooms() {
+    if (force_scale_)
+        for (const double scale : measured_.force_scales_between(*force_scale_, large_enough))
+            if (fills_rooms_with_forces(scale)) break;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const Spot room{placed.room.width(), placed.room.height()};
+        const double enough = is_white(placed, layout) ? room.x : large_enough;
+        double left = packed * room.x * room.y;  // mm² that nothing covers
+        for (const FigureSize& size : layout.sizes) left -= size.x * size.y;
+        if (layout.divided > 0) {
+            const ColumnText& text = layouts(placed.band).text(layout.divided, layout.cornered);
+            left -= text.measure() * text.whole_height();
+        }
+        std::vector<std::vector<FigureSize>> sizes;
+        bool may_grow = false;
+        for (std::size_t f = 0; f < layout.sizes.size(); ++f) {
+            sizes.push_back(
+                measured_.grown(bands_.list[placed.band].figures[f], layout.sizes[f], {room, left, enough}));
+            may_grow = may_grow || !sizes.back().empty();
+            sizes.back().push_back(layout.sizes[f]);
+        }
+        if (!may_grow) return;
+        if (std::optional<BandLayout> grown = filled(placed, std::move(sizes)); grown && grown->score > layout.score)
+            now_.taken[placed.band] = std::move(grown);
+    });
+}
+
+/// Whether all bands have room for their force polygons at this scale; they have it then.
+bool SheetPlan::fills_rooms_with_forces(double scale) {
+    std::vector<std::optional<BandLayout>> grown = now_.taken;
+    bool all = true;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        std::vector<std::vector<FigureSize>> sizes;
+        bool has_forces = false;
+        for (std::size_t f = 0; f < layout.sizes.size(); ++f) {
+            const std::size_t figure = bands_.list[placed.band].figures[f];
+            const bool of_forces = all && wanted_.list[figure].to_force_scale && layout.sizes[f].x > 0;
+            has_forces = has_forces || of_forces;
+            sizes.push_back(of_forces ? measured_.sizes(figure, scale, MeasuredFigures::Range::usual)
+                                      : std::vector{layout.sizes[f]});
+        }
+        if (has_forces) all = (grown[placed.band] = filled(placed, std::move(sizes))).has_value() && all;
+    });
+    if (!all) return false;
+    now_.taken = std::move(grown);
+    force_scale_ = scale;
+    return true;
+}
+
+/// The best layout of a band with other sizes of its figures in the room that it has. Empty: there is none.
+std::optional<BandLayout> SheetPlan::filled(const PlacedBand& placed,
+                                            std::vector<std::vector<FigureSize>> sizes) const {
+    const Band& band = bands_.list[placed.band];
+    const BandLayouts layouts(*now_.texts, band, wanted_, measured_, format_, std::move(sizes),
+                              !wide_.contains(band.question));
+    BandLayout best = layouts.in(placed.width, placed.room.height(), placed.notch);
+    return best.score < BandLayout::possible ? std::nullopt : std::optional(std::move(best));
 }
 
 bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
@@ -161,7 +264,8 @@ void SheetPlan::plan_all() {
         const bool same = b < before.size() && before[b].is_like(layouts);
         now_.layouts.push_back(std::move(same ? before[b] : layouts));
     }
-    PagePlan plan = plan_pages(now_.layouts, bands_.list, format_);
+    PagePlan plan = plan_pages(now_.layouts, bands_.list, format_, columns_more_);
+    now_.taken.assign(now_.layouts.size(), std::nullopt);
     now_.pages = std::move(plan.pages);
     now_.score = plan.score;
 }
@@ -251,6 +355,12 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
     std::vector<std::vector<FigureSize>> sizes;
     for (const std::size_t figure : band.figures) {
         sizes.push_back(measured_.sizes(figure, force_scale_, range));
+        if (const auto found = between_.find(figure); found != between_.end()) {
+            const std::vector<FigureSize> more = measured_.sizes_between(figure, found->second);
+            sizes.back().insert(sizes.back().end(), more.begin(), more.end());
+            std::stable_sort(sizes.back().begin(), sizes.back().end(),
+                             [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
+        }
         if (!not_coarser_) continue;
         constexpr double same = 1 + 1e-9;
         const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));

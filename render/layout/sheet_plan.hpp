@@ -2,6 +2,7 @@
 // page can hold. Draws nothing.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -23,9 +24,7 @@ public:
     void make();
 
     const std::vector<PlannedPage>& pages() const { return now_.pages; }
-    BandLayout layout_of(const PlacedBand& placed) const {
-        return now_.layouts[placed.band].in(placed.width, placed.room.height(), placed.notch);
-    }
+    const BandLayout& layout_of(const PlacedBand& placed) const;
     /// Of the figures shown, and of the force polygons.
     KeptScales scales() const;
     const BandLayouts& layouts(std::size_t band) const { return now_.layouts[band]; }
@@ -48,6 +47,7 @@ private:
         std::shared_ptr<BandTexts> texts{};
         std::vector<BandLayouts> layouts{};
         std::vector<PlannedPage> pages{};
+        mutable std::vector<std::optional<BandLayout>> taken{};  ///< by band, when it was first asked for
         double score = BandLayout::impossible;
     };
     void find_pages();
@@ -55,7 +55,12 @@ private:
     bool may_be_small();
     std::shared_ptr<BandTexts> texts_of(double size) const;
     bool improves(std::shared_ptr<BandTexts> texts);
+    void try_finer_shares();
     void enlarge_figures();
+    bool is_white(const PlacedBand& placed, const BandLayout& layout) const;
+    void fill_rooms();
+    bool fills_rooms_with_forces(double scale);
+    std::optional<BandLayout> filled(const PlacedBand& placed, std::vector<std::vector<FigureSize>> sizes) const;
     bool enlarge_text(double size);
     bool may_hold_text(double larger) const;
     void plan_all();
@@ -73,6 +78,8 @@ private:
     const SheetFormat& format_;
     bool may_enlarge_text_ = true;
     bool small_ = false;                     // whether figures may be small
+    int columns_more_ = 1;                   // by which bands may share a page
+    std::map<std::size_t, double> between_;  // figures that may have scales between this one and the next finer one
     std::set<std::string> large_;            // bands whose figures may be as large as a page
     std::optional<KeptScales> not_coarser_;  // the scales that figures have at least
     std::set<std::string> crowded_;          // bands whose figures may be hard to read

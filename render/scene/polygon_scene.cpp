@@ -128,6 +128,7 @@ private:
             shown.tail = place(vector.tail);
             shown.tip = place(vector.tip);
             shown.value = value;
+            scene_.longest = std::max(scene_.longest, value);
             shown.body = vector.body;
             const Part part = part_shown_by(vector);
             shown.is_part =

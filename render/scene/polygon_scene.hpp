@@ -84,8 +84,9 @@ struct PolygonScene {
     std::vector<SceneImage> images;
     std::vector<SceneFace> faces;
     std::vector<SceneCoriolis> coriolis;
-    Place least, most;  ///< bounding box of its vectors; in a polygon of motion also of the pole and the images
-    Place along;        ///< direction of the longest vector
+    Place least, most;   ///< bounding box of its vectors; in a polygon of motion also of the pole and the images
+    Place along;         ///< direction of the longest vector
+    double longest = 0;  ///< length of the longest vector
 
     double width() const { return most.x - least.x; }
     double height() const { return most.y - least.y; }
