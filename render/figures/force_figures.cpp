@@ -476,14 +476,14 @@ public:
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
-        for (const AppliedForce& sum : body_.sums)
-            if (!is_near(beside_body(sum)))
-                continue;
-            else if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
-                                                       [&](const AppliedForce& f) { return f.force == sum.force; }))
+        for (const AppliedForce& sum : body_.sums) {
+            if (!is_near(beside_body(sum))) continue;
+            if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
+                                                  [&](const AppliedForce& f) { return f.force == sum.force; }))
                 draw_force(beside_body(sum), sum_binding(load_, body_, sum));
             else
                 add_line_of(sum, sum_binding(load_, body_, sum));
+        }
         for (std::size_t i = 0; i < body_.arms.size(); ++i) draw_arm(sketch_, body_, i, load_, arms_);
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
         lines_.draw_meets(meets_);
