@@ -107,6 +107,13 @@ TEST(SheetLimits, NumbersOfAnySizeAreDrawnOrRefused) {
     EXPECT_GT(refused, 5);
 }
 
+// At 10^42 mm a circle and a line meet by a rounding, which a finer drawing does not repeat.
+TEST(SheetLimits, WhatDoesNotCloseOnAFinerDrawingIsAnswered) {
+    Json file = Json::parse(tests::contents(tests::example_file("whitworth")));
+    file["points"]["A"]["distance"] = 1e42;
+    EXPECT_TRUE(tests::through_all(file.dump(), tests::fonts()).solved);
+}
+
 /// A lever on two springs, of which the weak one moves the reaction far away by the couple of the other.
 TEST(SheetLimits, WhatACoupleMovesFarAwayLeavesItsBodyToBeSeen) {
     Json file = Json::parse(tests::contents(tests::example_file("lever_on_springs")));
