@@ -24,7 +24,7 @@ Message TrussDrawing::why_no_plan() const {
         return {lang::sentences::truss_with_crossing,
                 {known_.name_of_bar(bars->first), known_.name_of_bar(bars->second)}};
     if (const auto pin = plan_.inside()) return {lang::sentences::truss_loaded_inside, {known_.name_of(*pin)}};
-    return {lang::sentences::truss_in_parts, {}};
+    return {lang::sentences::truss_in_parts, {Count{static_cast<int>(truss_.bars.size())}}};
 }
 
 // --- solving
