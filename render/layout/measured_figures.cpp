@@ -81,7 +81,7 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
     const Wanted& wanted = wanted_.list[figure];
     std::vector<FigureSize> sizes;
     if (!may_grow(figure) || !(now.x > 0) ||
-        wanted.extent_of_subject() / now.scale >= (wanted.to_force_scale ? hardly_measured : growth.enough))
+        wanted.extent_of_subject() / now.scale >= (wanted.to_force_scale ? readable_of_forces : growth.enough))
         return sizes;
     const Spot most{std::min(growth.room.x, page().x), std::min(growth.room.y - caption_line, page().y)};
     for (const double scale : finer_scales(wanted, now.scale)) {

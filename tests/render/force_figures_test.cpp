@@ -186,10 +186,10 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                 }
         }
         EXPECT_FALSE(has_force_polygons(solution) && longest.empty() && of_closed.empty());
-        // A polygon that is finer spans 0.35 of the largest at most, both ways.
+        // A polygon that is finer would be less than 25 mm long at the scale of the others.
         for (const auto& [scale, value] : longest) {
             if (scale < longest.rbegin()->first) {
-                EXPECT_LE(value, 0.5 * longest.rbegin()->second) << scale;
+                EXPECT_LT(value / longest.rbegin()->first, 25) << scale;
             }
         }
         EXPECT_LE(of_closed.size(), 1u);
