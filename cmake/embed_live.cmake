@@ -9,8 +9,8 @@ endfunction()
 
 set(script)
 set(modules types closure guards replay given motion path room marks paper area arrow_binder line_binder placed_labels
-    label_binder link_binder ground_binder held_marks held_shapes held_forms held_binder figures measure loaded tasks report
-    choices pen exercise plot panel tell drag drive places stage steps hall keys page main)
+    label_binder link_binder ground_binder held_marks held_shapes held_forms held_binder figures measure loaded tasks
+    report choices pen exercise plot panel tell drag drive stage steps hall keys page main)
 foreach(name ${modules})
     file(READ ${SOURCE}/${name}.js text)
     string(REGEX REPLACE "(^|\n)import [^;]*;" "\\1" text "${text}")

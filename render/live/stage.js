@@ -3,7 +3,7 @@
 // are laid on it without what both show.
 
 import {boxOf} from './path.js';
-import {mostRoomy} from './places.js';
+import {mostRoomy} from './room.js';
 /** @typedef {import('./area.js').Area} Area */
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('./paper.js').FigureInfo} FigureInfo */
@@ -256,7 +256,7 @@ export class Stage {
     /**
      * @param {HTMLElement} place
      * @param {Element[]} cells
-     * @param {import('./places.js').Places} places
+     * @param {import('./room.js').Places} places
      * @param {number} least height of a figure
      */
     put(place, cells, {wide, tall, at}, least) {
