@@ -75,8 +75,8 @@ std::optional<BodyIndex> free_body_in(const Solution& solution, FigureId id) {
 }
 
 std::string prefix_of_load(const Solution& solution, FigureId id) {
-    const std::string of = of_load({solution, id.part});
-    return of.empty() ? "" : of.substr(1) + "-";
+    const LoadCase loads(solution, id.part);
+    return loads.is_alone() ? "load-" + loads.load() + "-" : "";
 }
 
 Figure begun(const DrawingContext& context, FigureId id) {
