@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <string>
 
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/sentences.hpp"
@@ -74,6 +78,35 @@ TEST(DrawnAndSaid, NumbersOfAScaleBarKeepApart) {
             ASSERT_EQ(texts.size(), 2U);
             EXPECT_LT(texts[0].max.x + 0.5, texts[1].min.x) << scale << " in " << target;
         }
+}
+
+// A scale that is read off a ruler: docs/drawing.md has the series.
+TEST(DrawnAndSaid, ScalesAreThoseOfTheSeries) {
+    const std::set<std::string> of_drawings{"mechanism", "centres", "truss"};
+    const std::set<std::string> of_polygons{"velocity", "acceleration", "forces", "closure"};
+    int drawings = 0, polygons = 0;
+    for (const std::string& name : example_names()) {
+        if (!example(name).mechanism.scales.empty()) continue;
+        for (const Page& page : laid_out(name))
+            for (const Mark& mark : page.marks) {
+                const auto* group = std::get_if<GroupBegin>(&mark);
+                if (group == nullptr || group->cls != "figure") continue;
+                const std::string *kind = group->attribute("data-figure"), *said = group->attribute("data-scale");
+                if (kind == nullptr || said == nullptr) continue;
+                const bool is_drawing = of_drawings.contains(*kind);
+                if (!is_drawing && !of_polygons.contains(*kind)) continue;
+                ++(is_drawing ? drawings : polygons);
+                const double scale = std::strtod(said->c_str(), nullptr);
+                const double digits = scale / std::pow(10, std::floor(std::log10(scale) + 1e-9));
+                const auto is_digits = [&](double each) { return std::abs(digits - each) < 1e-9; };
+                constexpr double standard[]{1, 2, 2.5, 5}, between[]{1.25, 1.5, 3, 4, 6, 8};
+                EXPECT_TRUE(std::ranges::any_of(standard, is_digits) ||
+                            (!is_drawing && std::ranges::any_of(between, is_digits)))
+                    << name << " " << group->id << " " << scale;
+            }
+    }
+    EXPECT_GT(drawings, 50);
+    EXPECT_GT(polygons, 100);
 }
 
 TEST(DrawnAndSaid, TwoDriversOfOnePointHaveNamesOfTheirOwn) {
