@@ -290,7 +290,7 @@ std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
 /// With its caption in one line and, at a price, in several.
 void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
                                 double scale) const {
-    constexpr double price_of_broken_caption = 0.5;
+    constexpr double price_of_broken_caption = 0.8;
     constexpr double least_of_caption = 40;  // mm
     constexpr int number = 88;               // as wide as any that a sheet has
     constexpr double price_of_lack = 0.4;    // about half a step of the scale

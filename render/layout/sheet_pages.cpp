@@ -148,6 +148,7 @@ double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double hei
 std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
     std::vector<Mark> marks;
     names_on_page_.clear();
+    movable_.clear();
     std::vector<StandingRow> rows;
     for (const PlannedRow& row : contents_.plan.pages()[page]) {
         StandingRow& cells = rows.emplace_back();
@@ -177,6 +178,7 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
         }
         y += height + row_gap;
     }
+    spread(marks, movable_, content, page == 0 ? format_.block : Box{});
     return marks;
 }
 
@@ -230,10 +232,14 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
         const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()),
                       corner.y + drawn.caption - box.min.y + std::min(0.5 * spare, most_below_caption)};
         drawn.figure.move(by.x, by.y);
+        const std::size_t first = marks.size();
         tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
+        const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
+        const double up = std::min(0.5 * spare, most_below_caption);
+        movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
         if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
             scale_of_mechanism = drawn.figure.scale;
         if (stacked) down += drawn.height() + spare + gap;

@@ -8,6 +8,7 @@
 
 #include "render/content/title_block.hpp"
 #include "render/layout/drawn_figures.hpp"
+#include "render/layout/spread_figures.hpp"
 #include "render/page/page.hpp"
 
 namespace kinegraph::render {
@@ -81,6 +82,7 @@ private:
     const Signature& signature_;
     SheetContents contents_;
     std::set<std::string> names_on_page_;
+    std::vector<MovableFigure> movable_;  // those on the page, with their marks
     Spot first_caption_{};
     double first_caption_width_ = 0;
 };
