@@ -50,13 +50,15 @@ install_packages() {
     as_root apt-get update </dev/null >&2 && apt_install $missing
 }
 
-# install_modules: installs the npm packages of the live page's tests, in the versions of tests/live/package-lock.json.
+# install_modules FOLDER…: installs npm packages in the versions of FOLDER/package-lock.json.
 install_modules() {
-    modules=$top/tests/live/node_modules
-    cmp -s "$top/tests/live/package-lock.json" "$modules/.installed" && return 0
-    command -v npm >/dev/null || apt_install npm || return 1
-    npm ci --prefix "$top/tests/live" --ignore-scripts --no-audit --no-fund </dev/null >&2 || return 1
-    cp "$top/tests/live/package-lock.json" "$modules/.installed"
+    for folder in "$@"; do
+        modules=$top/$folder/node_modules
+        cmp -s "$top/$folder/package-lock.json" "$modules/.installed" && continue
+        command -v npm >/dev/null || apt_install npm || return 1
+        npm ci --prefix "$top/$folder" --ignore-scripts --no-audit --no-fund </dev/null >&2 || return 1
+        cp "$top/$folder/package-lock.json" "$modules/.installed"
+    done
 }
 
 # configured DIRECTORY: true if a configuration was completed there (a failed one leaves a cache too).

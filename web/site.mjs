@@ -1,10 +1,11 @@
 // node web/site.mjs MODULE SITE: makes the folder of the static site: the workbench's page (web/src) with
 // WebAssembly as its engine (web/site), the examples, and a list of all files for use without a network.
+import {execFileSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
 import {cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
-import {openModule} from './site/module.js';
+import {compiled} from './compiled.mjs';
 
 const top = dirname(dirname(fileURLToPath(import.meta.url)));
 const [module, site] = process.argv.slice(2);
@@ -28,21 +29,31 @@ const below = (/** @type {string} */ folder) =>
         .map((each) => join(each.parentPath ?? each.path, each.name).slice(folder.length + 1))
         .sort();
 
+/** Makes one script of a module and of all that it imports, for the browsers that docs/web.md names. */
+const bundle = (/** @type {string} */ from, /** @type {string} */ to, /** @type {string[]} */ ...more) =>
+    execFileSync('esbuild', [
+        join(top, 'web', from), '--bundle', '--minify', '--format=iife', '--target=chrome95,firefox100,safari15.2',
+        '--log-level=warning', `--outfile=${join(site, to)}`, ...more,
+    ], {stdio: ['ignore', 'inherit', 'inherit']});
+
 rmSync(site, {recursive: true, force: true});
 mkdirSync(site, {recursive: true});
-cpSync(join(top, 'web/src'), site, {recursive: true});
-cpSync(join(top, 'web/site'), site, {recursive: true});
-rmSync(join(site, 'served_engine.js'));
-cpSync(module, join(site, 'kinegraph.wasm'));
+for (const folder of ['src', 'site'])
+    for (const path of below(join(top, 'web', folder)))
+        if (!path.endsWith('.ts')) cpSync(join(top, 'web', folder, path), join(site, path));
+bundle('site/page.ts', 'main.js');
+bundle('site/worker.ts', 'worker.js');
+// Packed here and not left to the server: few compress as well, and some compress not at all.
+execFileSync('zstd', ['-q', '-f', '--ultra', '-22', module, '-o', join(site, 'kinegraph.wasm.zst')]);
 
 // A frame with the live page inherits the policy of this one, so its script and style are named here.
+const {openModule} = await compiled('site/module.ts');
 const answer = await openModule(await WebAssembly.compile(readFileSync(module)));
 const {policy} = JSON.parse(answer(JSON.stringify({text: '', name: '', want: ['policy']})));
 writeFileSync(
     join(site, 'index.html'),
     replaced(readFileSync(join(site, 'index.html'), 'utf8'), {
         '{language}': 'en',
-        'data-engine="served"': 'data-engine="worker"',
         "script-src 'self' {script};": 
             `script-src 'self' 'wasm-unsafe-eval' ${policy.script}; worker-src 'self'; manifest-src 'self';`,
         '{style}': policy.style,
@@ -67,10 +78,9 @@ for (const path of examples) {
 }
 writeFileSync(join(site, 'examples.json'), JSON.stringify(listed));
 
-const files = below(site).filter((path) => path !== 'offline.js');
+const files = below(site);
 const hash = createHash('sha256');
 for (const path of files) hash.update(path).update(readFileSync(join(site, path)));
-writeFileSync(join(site, 'offline.js'), replaced(readFileSync(join(site, 'offline.js'), 'utf8'), {
-    '{version}': hash.digest('hex').slice(0, 16),
-    "['{files}']": JSON.stringify(['./', ...files.filter((path) => path !== 'index.html')]),
-}));
+bundle('site/offline.ts', 'offline.js',
+    `--define:siteVersion=${JSON.stringify(hash.digest('hex').slice(0, 16))}`,
+    `--define:siteFiles=${JSON.stringify(['./', ...files.filter((path) => path !== 'index.html')])}`);

@@ -8,6 +8,7 @@ import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, beforeEach, test} from 'node:test';
 import {deflateRawSync} from 'node:zlib';
+import {compiled} from '../../web/compiled.mjs';
 import {unpacked} from '../geogebra/interpreter.mjs';
 import {close, messages, open, page, protocol, run} from './browser.mjs';
 import {
@@ -754,10 +755,15 @@ test('links and texts that anybody may send are answered, whatever stands in the
         return i % 3 === 0 ? {link: changed(packed(from))} : i % 3 === 1 ? {link: packed(changed(from))} :
             {pmks: changed(i % 2 ? pmks : `https://app.pmksplus.com/?${pmks}`)};
     });
-    const slowest = await page.evaluate(async (all) => {
-        const {textOf} = await import('./link.js'), found = {ms: 0, text: '', opened: 0, imported: 0, solved: 0};
-        for (const {link, pmks: sent} of all) {
-            const start = performance.now(), opened = link === undefined ? null : await textOf(link);
+    const {textOf} = await compiled('src/link.ts'), all = [];
+    for (const each of links) {
+        const start = performance.now(), opened = each.link === undefined ? null : await textOf(each.link);
+        all.push({...each, opened, took: performance.now() - start});
+    }
+    const slowest = await page.evaluate(async (all_) => {
+        const found = {ms: 0, text: '', opened: 0, imported: 0, solved: 0};
+        for (const {link, pmks: sent, opened, took} of all_) {
+            const start = performance.now() - took;
             const asked = sent === undefined ? opened : sent;
             const want = sent === undefined ? ['position', 'mobility', 'values'] : ['import'];
             const answer = asked === null ? null : await workbench.engine.answer({text: asked, name: 'any.json', want});
@@ -769,7 +775,7 @@ test('links and texts that anybody may send are answered, whatever stands in the
             if (ms > found.ms) Object.assign(found, {ms, text: asked ?? link});
         }
         return found;
-    }, links);
+    }, all);
     t.diagnostic(`${count} links: ${slowest.opened} opened, ${slowest.solved} solved, ${slowest.imported} imported, ` +
         `the slowest took ${slowest.ms.toFixed(0)} ms`);
     assert.ok(slowest.ms < 5000, slowest.text);

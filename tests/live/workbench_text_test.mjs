@@ -4,12 +4,12 @@ import assert from 'node:assert/strict';
 import {readFileSync, readdirSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {Edit} from '../../web/src/edit.js';
-import {JsonText, NotJson, plain} from '../../web/src/json_text.js';
-import {fragmentOf, mostBytes, textOf} from '../../web/src/link.js';
-import {Model} from '../../web/src/model.js';
-import {distance, setAngle, setDistance} from '../../web/src/placing.js';
-import {places, removeBody, removePoint, rename} from '../../web/src/references.js';
+import {compiled} from '../../web/compiled.mjs';
+
+const {
+    Edit, JsonText, Model, NotJson, distance, fragmentOf, mostBytes, places, plain, removeBody, removePoint, rename,
+    setAngle, setDistance, textOf
+} = await compiled(...['edit', 'json_text', 'link', 'model', 'placing', 'references'].map((name) => `src/${name}.ts`));
 
 const [examples] = process.argv.slice(2);
 const files = readdirSync(examples, {recursive: true})

@@ -1,6 +1,6 @@
 // What the page's address asks besides the link behind its # (link.js): `file=PATH`, a file of the same server;
 // `mode=NAME`, the mode to begin in; `compact`, the view for a frame in a page of others, where nothing is drawn.
-import {byId} from './dom.js';
+import {byId} from './dom';
 
 const asked = new URLSearchParams(location.search);
 
@@ -13,8 +13,8 @@ export function fileAsked() {
         ? {address, name: address.pathname.slice(address.pathname.lastIndexOf('/') + 1)}
         : null;
 }
-/** @param {string[]} modes those that there are */
-export function modeAsked(modes) {
+/** @param modes those that there are */
+export function modeAsked(modes: string[]) {
     const mode = asked.get('mode') ?? '';
     return modes.includes(mode) ? mode : asked.has('compact') ? 'move' : 'build';
 }
@@ -22,8 +22,7 @@ export function modeAsked(modes) {
 export function showCompact() {
     if (!asked.has('compact')) return;
     document.documentElement.dataset.view = 'compact';
-    /** @type {HTMLAnchorElement} */
-    const link = byId('edit-here');
+    const link: HTMLAnchorElement = byId('edit-here');
     link.hidden = false;
     const follow = () => {
         const whole = new URL(location.href);

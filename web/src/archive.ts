@@ -1,10 +1,7 @@
 // A ZIP archive of one file, not compressed (PKWARE's APPNOTE, version 2.0): what a GeoGebra file is.
 
-/**
- * CRC-32 as in ISO 3309, reflected, by the bit: the texts are some 100 kB.
- * @param {Uint8Array} bytes
- */
-export function crc32(bytes) {
+/** CRC-32 as in ISO 3309, reflected, by the bit: the texts are some 100 kB. */
+export function crc32(bytes: Uint8Array) {
     let remainder = 0xffffffff;
     for (const byte of bytes) {
         remainder ^= byte;
@@ -12,11 +9,8 @@ export function crc32(bytes) {
     }
     return ~remainder >>> 0;
 }
-/**
- * Numbers of two or four bytes, least byte first: [value, size] each.
- * @param {[number, number][]} fields
- */
-function record(fields) {
+/** Numbers of two or four bytes, least byte first: [value, size] each. */
+function record(fields: [number, number][]) {
     const view = new DataView(new ArrayBuffer(fields.reduce((sum, [, size]) => sum + size, 0)));
     let at = 0;
     for (const [value, size] of fields) {
@@ -26,16 +20,11 @@ function record(fields) {
     }
     return new Uint8Array(view.buffer);
 }
-/**
- * @param {string} name in ASCII
- * @param {string} text
- * @returns {Blob}
- */
-export function archiveOf(name, text) {
+/** @param name in ASCII */
+export function archiveOf(name: string, text: string): Blob {
     const coded = new TextEncoder(), letters = coded.encode(name), bytes = coded.encode(text);
     const version = 20, firstDay = 0x21; // 1 January 1980, so that the same text is the same archive
-    /** @type {[number, number][]} */
-    const entry = [
+    const entry: [number, number][] = [
         [version, 2], [0, 2], [0, 2], [0, 2], [firstDay, 2], [crc32(bytes), 4], [bytes.length, 4], [bytes.length, 4],
         [letters.length, 2], [0, 2]
     ];

@@ -1,70 +1,55 @@
 // The workbench: the file, what the engine says of it, what is selected, and the tool in hand. Everything else
 // listens to it.
-import {MechanismDocument} from './document.js';
-import {Edit} from './edit.js';
-import {Inquiry} from './inquiry.js';
-import {JsonText, pathOf} from './json_text.js';
-import {Model} from './model.js';
-import {View} from './view.js';
+import type {Answer} from '../../app/workbench/protocol';
+import {MechanismDocument} from './document';
+import {Edit, type Spots} from './edit';
+import type {Engine} from './engine';
+import {Inquiry} from './inquiry';
+import {JsonText, pathOf} from './json_text';
+import {Model} from './model';
+import type {Target} from './snap';
+import type {Tool} from './tools';
+import {View} from './view';
 
-/**
- * @typedef {import('./edit.js').Spots} Spots
- * @typedef {import('../../app/workbench/protocol.js').Answer} Answer
- * @typedef {import('./tools.js').Tool} Tool
- * @typedef {'file' | 'answer' | 'selection' | 'tool' | 'cursor' | 'view' | 'mode'} Topic
- */
+export type Topic = 'file' | 'answer' | 'selection' | 'tool' | 'cursor' | 'view' | 'mode';
 
 export class Bench {
-    /** @param {import('./engine.js').Engine} engine */
-    constructor(engine) {
-        this.engine = engine;
-        this.document = new MechanismDocument();
-        this.model = new Model(null);
-        this.view = new View();
-        /** @type {Spots} */
-        this.spots = {};
-        /** @type {Record<string, number>} */
-        this.directions = {};
-        /** @type {Answer | null} */
-        this.answer = null;
-        /**
-         * What is selected, a JSON pointer.
-         * @type {string | null}
-         */
-        this.selection = null;
-        /** @type {Tool | null} */
-        this.tool = null;
-        /** @type {import('./snap.js').Target | null} */
-        this.cursor = null;
-        this.snaps = true;
-        this.mode = 'build';
-        /** @type {Map<Topic, (() => void)[]>} */
-        this.listeners = new Map();
+    readonly document = new MechanismDocument();
+    model = new Model(null);
+    readonly view = new View();
+    spots: Spots = {};
+    directions: Record<string, number> = {};
+    answer: Answer | null = null;
+    /** What is selected, a JSON pointer. */
+    selection: string | null = null;
+    tool: Tool | null = null;
+    cursor: Target | null = null;
+    snaps = true;
+    mode = 'build';
+    readonly listeners = new Map<Topic, (() => void)[]>();
+    readonly inquiry: Inquiry;
+    isToFit: boolean | undefined;
+
+    constructor(readonly engine: Engine) {
         this.inquiry = new Inquiry(this);
         this.document.selected = () => this.selection;
         this.document.listeners.push((selection) => this.onText(selection));
     }
-    /**
-     * @param {Topic[]} topics
-     * @param {() => void} listener
-     */
-    on(topics, listener) {
+    on(topics: Topic[], listener: () => void) {
         for (const topic of topics) this.listeners.set(topic, [...this.listeners.get(topic) ?? [], listener]);
     }
-    /** @param {Topic} topic */
-    tell(topic) {
+    tell(topic: Topic) {
         this.listeners.get(topic)?.forEach((each) => each());
     }
-    /** @param {string | null | undefined} selection */
-    onText(selection) {
+    onText(selection: string | null | undefined) {
         this.model = new Model(this.document.lastJson);
         if (selection !== undefined) this.selection = selection;
         if (this.selection !== null && !this.selected()) this.selection = null;
         this.inquiry.ask();
         this.tell('file');
     }
-    /** @param {Answer} answer the newest, of the text as it is */
-    onAnswer(answer) {
+    /** @param answer the newest, of the text as it is */
+    onAnswer(answer: Answer) {
         this.answer = answer;
         if (answer.points) {
             this.spots = answer.points;
@@ -74,11 +59,9 @@ export class Bench {
     }
     /**
      * Opens a text as the file.
-     * @param {string} text
-     * @param {string} name
-     * @param {string | null} base what the file on disk has
+     * @param base what the file on disk has
      */
-    open(text, name, base) {
+    open(text: string, name: string, base: string | null) {
         this.tool?.cancel();
         this.selection = null;
         this.spots = {};
@@ -90,10 +73,8 @@ export class Bench {
     /**
      * Changes the file; `change` returns what is selected then (undefined: as before). While the text is no
      * JSON nothing is drawn.
-     * @param {(edit: Edit) => string | null | undefined | void} change
-     * @param {string} [joins]
      */
-    edit(change, joins = '') {
+    edit(change: (edit: Edit) => string | null | undefined | void, joins = '') {
         const {json} = this.document;
         if (!json) return;
         const edit = new Edit(json, this.spots), selection = change(edit);
@@ -102,8 +83,7 @@ export class Bench {
         this.document.change(edit.text, joins);
         this.tell('selection');
     }
-    /** @param {string | null} pointer */
-    select(pointer) {
+    select(pointer: string | null) {
         this.selection = pointer;
         this.tell('selection');
     }
@@ -114,14 +94,12 @@ export class Bench {
         const path = pathOf(json, this.selection), node = json.at(path);
         return node && path.length === 2 ? {list: String(path[0]), key: path[1], path, form: json.plainAt(path)} : null;
     }
-    /** @param {Tool | null} tool */
-    take(tool) {
+    take(tool: Tool | null) {
         this.tool?.cancel();
         this.tool = tool;
         this.tell('tool');
     }
-    /** @param {string} mode */
-    setMode(mode) {
+    setMode(mode: string) {
         this.mode = mode;
         this.tell('mode');
     }
@@ -140,11 +118,8 @@ export class Bench {
     }
 }
 
-/**
- * A mechanism that was just begun.
- * @param {string} title
- */
-export const emptyFile = (title) => new JsonText(`{
+/** A mechanism that was just begun. */
+export const emptyFile = (title: string) => new JsonText(`{
   "kinegraph": 1,
   "title": "",
   "units": {"length": "mm"},

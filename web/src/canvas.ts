@@ -1,48 +1,44 @@
 // Draws the mechanism while it is built: what the file says, where the engine places it.
-import {drawDrivers, drawLoads, drawMasses, gap} from './canvas_loads.js';
-import {drawPlacing} from './canvas_places.js';
-import {svg} from './dom.js';
-import {Model} from './model.js';
-import {distance} from './placing.js';
-import {bars} from './snap.js';
-import * as symbols from './symbols.js';
-import {Tags, ends, isStraight} from './tags.js';
+import {drawDrivers, drawLoads, drawMasses, gap} from './canvas_loads';
+import {drawPlacing} from './canvas_places';
+import {svg} from './dom';
+import type {Spot, Spots} from './edit';
+import type {Json} from './json_text';
+import {type JointItem, Model} from './model';
+import {distance} from './placing';
+import {bars} from './snap';
+import * as symbols from './symbols';
+import {Tags, ends, isStraight} from './tags';
+import type {View} from './view';
 
-/**
- * @typedef {import('./edit.js').Spot} Spot
- * @typedef {import('./edit.js').Spots} Spots
- * @typedef {import('./view.js').View} View
- * @typedef {{model: Model, spots: Spots, directions: Record<string, number>,
- *     selection: string | null, faulty: Set<string>}} Scene
- *     selection and faulty: JSON pointers
- */
+export interface Scene {
+    model: Model;
+    spots: Spots;
+    directions: Record<string, number>;
+    /** JSON pointers, as are those that are faulty. */
+    selection: string | null;
+    faulty: Set<string>;
+}
 
 const looks = 5;
 
-/**
- * A contact of which the file says the tangent only, with the frame.
- * @param {import('./model.js').JointItem} joint
- * @param {string} frame
- */
-const isRoller = ({kind, form, bodies}, frame) => kind === 'contact' && !form.profiles && bodies.includes(frame);
+/** A contact of which the file says the tangent only, with the frame. */
+const isRoller = ({kind, form, bodies}: JointItem, frame: string) =>
+    kind === 'contact' && !form.profiles && bodies.includes(frame);
 /**
  * The angle by which a support is turned so that it stands against what it pushes.
- * @param {any} pushes
- * @param {number} turned of the tangent, on the screen
+ * @param turned of the tangent, on the screen
  */
-function standing(pushes, turned) {
+function standing(pushes: Json, turned: number) {
     const [x, y] = Array.isArray(pushes) ? pushes.map(Number) : [0, 0];
     return x * Math.sin(turned) + y * Math.cos(turned) < 0 ? turned + Math.PI : turned;
 }
 
 export class Canvas {
-    /**
-     * @param {SVGSVGElement} root
-     * @param {View} view
-     */
-    constructor(root, view) {
-        this.root = root;
-        this.view = view;
+    readonly layers: Record<string, SVGGElement>;
+    scene: Scene | undefined;
+
+    constructor(readonly root: SVGSVGElement, readonly view: View) {
         this.layers = Object.fromEntries(
             ['grid', 'under', 'bodies', 'joints', 'loads', 'labels', 'over'].map((name) => {
                 const layer = svg('g', {class: `layer ${name}`});
@@ -51,8 +47,7 @@ export class Canvas {
             })
         );
     }
-    /** @param {Scene} scene */
-    draw(scene) {
+    draw(scene: Scene) {
         this.scene = scene;
         for (const layer of Object.values(this.layers)) layer.replaceChildren();
         this.drawGrid();
@@ -64,22 +59,12 @@ export class Canvas {
         drawLoads(this, scene);
         drawPlacing(this, scene);
     }
-    /**
-     * @param {string} point
-     * @returns {Spot | null}
-     */
-    spot(point) {
+    spot(point: string): Spot | null {
         const at = this.scene?.spots[point];
         return at ? this.view.toScreen(at) : null;
     }
-    /**
-     * Adds marks under the name of what they show.
-     * @param {string} layer
-     * @param {string} pointer
-     * @param {string} look
-     * @param {...Element} marks
-     */
-    add(layer, pointer, look, ...marks) {
+    /** Adds marks under the name of what they show. */
+    add(layer: string, pointer: string, look: string, ...marks: Element[]) {
         const states = [
             look,
             this.scene?.selection === pointer ? 'selected' : '',
@@ -113,20 +98,17 @@ export class Canvas {
         ground.style.stroke = 'none';
         this.layers.grid.append(pattern, ground, svg('path', {class: 'axes', d: `M${x - 7} ${y}h14M${x} ${y - 7}v14`}));
     }
-    /**
-     * The look of a body: its colour, as in the figures.
-     * @param {string} body
-     */
-    look(body) {
-        const {model} = /** @type {Scene} */ (this.scene),
+    /** The look of a body: its colour, as in the figures. */
+    look(body: string) {
+        const {model} = this.scene as Scene,
             index = model.movingBodies.findIndex(({name}) => name === body);
         const own = model.movingBodies[index]?.colour;
         if (own) return `own-${own.slice(1)}`;
         return index < 0 ? 'frame' : `body-${(index % looks) + 1}`;
     }
     drawBodies() {
-        const {model} = /** @type {Scene} */ (this.scene), drawn = model.movingBodies.map((body) => ({body,
-            at: /** @type {Spot[]} */ (model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean))}));
+        const {model} = this.scene as Scene, drawn = model.movingBodies.map((body) => ({body,
+            at: model.pointsOf(body.name).map((each) => this.spot(each)).filter(Boolean) as Spot[]}));
         const tags = new Tags(drawn.map(({at}) => at), model.points.map(({name}) => this.spot(name)));
         for (const {body, at} of drawn) {
             const pointer = Model.pointer(['bodies', body.name]), look = this.look(body.name);
@@ -135,12 +117,9 @@ export class Canvas {
             if (at.length > 1 || body.circle) this.tag(body.name, look, tags.place(at, this.isBelow(body.name)));
         }
     }
-    /**
-     * Whether the number of a body stands below its bar: where the arrow of its driver is above.
-     * @param {string} body
-     */
-    isBelow(body) {
-        const {model} = /** @type {Scene} */ (this.scene),
+    /** Whether the number of a body stands below its bar: where the arrow of its driver is above. */
+    isBelow(body: string) {
+        const {model} = this.scene as Scene,
             driver = model.drivers.find(({form}) => String(form.body) === body);
         const points = model.pointsOf(body),
             pivot = points.find((each) => model.isGround(each)) ?? points[0];
@@ -148,19 +127,14 @@ export class Canvas {
             tip = this.spot(points.find((each) => each !== pivot) ?? '');
         if (driver && at && tip) return !(parseFloat(driver.form.omega) < 0) === tip[0] >= at[0];
         // Beside a steep bar it stands on the outer side of the mechanism.
-        const both = points.map((each) => this.spot(each)).filter(Boolean), [a, b] = /** @type {Spot[]} */ (both);
+        const both = points.map((each) => this.spot(each)).filter(Boolean), [a, b] = both as Spot[];
         if (both.length !== 2 || Math.abs(b[0] - a[0]) > Math.abs(b[1] - a[1])) return false;
         const all = model.points.map(({name}) => this.spot(name)?.[0] ?? a[0]),
             middle = all.reduce((sum, each) => sum + each, 0) / all.length;
         return (a[0] + b[0]) / 2 < middle === (b[1] - a[1]) * (b[0] - a[0]) >= 0;
     }
-    /**
-     * The number of a body in its circle.
-     * @param {string} name
-     * @param {string} look
-     * @param {Spot} at
-     */
-    tag(name, look, [x, y]) {
+    /** The number of a body in its circle. */
+    tag(name: string, look: string, [x, y]: Spot) {
         this.add(
             'labels',
             Model.pointer(['bodies', name]),
@@ -169,13 +143,9 @@ export class Canvas {
             svg('text', {x, y: y + 5}, name)
         );
     }
-    /**
-     * The direction of a joint on the screen, radians.
-     * @param {string} pointer
-     * @param {any} along
-     */
-    turned(pointer, along) {
-        const {directions, spots} = /** @type {Scene} */ (this.scene);
+    /** The direction of a joint on the screen, radians. */
+    turned(pointer: string, along: Json) {
+        const {directions, spots} = this.scene as Scene;
         if (pointer in directions) return -directions[pointer];
         if (typeof along === 'number') return (-along * Math.PI) / 180;
         if (Array.isArray(along) && spots[along[0]] && spots[along[1]])
@@ -183,7 +153,7 @@ export class Canvas {
         return 0;
     }
     drawJoints() {
-        const {model} = /** @type {Scene} */ (this.scene);
+        const {model} = this.scene as Scene;
         for (const joint of model.joints) {
             const at = this.spot(joint.point);
             if (!at) continue;
@@ -205,13 +175,8 @@ export class Canvas {
                 this.add('under', Model.pointer(['points', point]), 'frame', symbols.ground(at));
         }
     }
-    /**
-     * @param {import('./model.js').JointItem} joint
-     * @param {Spot} at
-     * @param {number} turned
-     */
-    drawWheels(joint, at, turned) {
-        const {model} = /** @type {Scene} */ (this.scene);
+    drawWheels(joint: JointItem, at: Spot, turned: number) {
+        const {model} = this.scene as Scene;
         let wheels = 0;
         for (const body of joint.bodies) {
             const centre = this.spot(model.centreOf(joint.form, body));
@@ -236,7 +201,7 @@ export class Canvas {
             );
     }
     drawPoints() {
-        const {model} = /** @type {Scene} */ (this.scene);
+        const {model} = this.scene as Scene;
         for (const {name} of model.points) {
             const at = this.spot(name),
                 joint = model.joints.some((each) => each.point === name && each.kind !== 'weld');
@@ -252,13 +217,9 @@ export class Canvas {
                 symbols.label([at[0] + 21 * Math.cos(turned), at[1] + 19 * Math.sin(turned) + 6], name, 'of-point'));
         }
     }
-    /**
-     * The directions in which something is drawn at a point, radians on the screen.
-     * @param {string} point
-     * @param {Spot} at
-     */
-    waysTaken(point, at) {
-        const {model, spots} = /** @type {Scene} */ (this.scene), taken = [];
+    /** The directions in which something is drawn at a point, radians on the screen. */
+    waysTaken(point: string, at: Spot) {
+        const {model, spots} = this.scene as Scene, taken = [];
         for (const {name} of model.movingBodies) {
             for (const bar of bars(model, name, spots)) {
                 if (!bar.includes(point)) continue;
@@ -274,22 +235,15 @@ export class Canvas {
             if (joint.point === point && joint.kind === 'prismatic') taken.push(Math.PI / 2, 0, Math.PI);
         return taken;
     }
-    /**
-     * The direction from a point in which there is most room, up rather than down.
-     * @param {string} point
-     * @param {Spot} at
-     */
-    freeWay(point, at) {
+    /** The direction from a point in which there is most room, up rather than down. */
+    freeWay(point: string, at: Spot) {
         const taken = this.waysTaken(point, at),
             ways = [-1, -2, -3, 0, -4, 1, 3, 2].map((each) => (each * Math.PI) / 4);
-        const room = (/** @type {number} */ way) => Math.min(2, ...taken.map((each) => gap(way, each)));
+        const room = (way: number) => Math.min(2, ...taken.map((each) => gap(way, each)));
         return ways.reduce((best, each) => (room(each) > room(best) + 0.1 ? each : best), ways[0]);
     }
-    /**
-     * What a tool shows while it is used.
-     * @param {...Element} marks
-     */
-    over(...marks) {
+    /** What a tool shows while it is used. */
+    over(...marks: Element[]) {
         this.layers.over.replaceChildren(...marks);
     }
 }

@@ -1,28 +1,17 @@
 // Drivers, weights and loads on the canvas.
-import {svg} from './dom.js';
-import {Model} from './model.js';
-import * as symbols from './symbols.js';
+import type {Canvas, Scene} from './canvas';
+import {svg} from './dom';
+import type {Spot} from './edit';
+import type {Json} from './json_text';
+import {Model} from './model';
+import * as symbols from './symbols';
 
-/**
- * @typedef {import('./canvas.js').Canvas} Canvas
- * @typedef {import('./canvas.js').Scene} Scene
- * @typedef {import('./edit.js').Spot} Spot
- */
-
-/**
- * The angle between two directions.
- * @param {number} a
- * @param {number} b
- */
-export function gap(a, b) {
+/** The angle between two directions. */
+export function gap(a: number, b: number) {
     const turned = Math.abs(a - b) % (2 * Math.PI);
     return Math.min(turned, 2 * Math.PI - turned);
 }
-/**
- * @param {Canvas} canvas
- * @param {Scene} scene
- */
-export function drawDrivers(canvas, scene) {
+export function drawDrivers(canvas: Canvas, scene: Scene) {
     const {model} = scene;
     for (const {form, pointer} of model.drivers) {
         const rate = parseFloat(form.omega ?? form.speed ?? form.law?.turn ?? 1) || 1, body = String(form.body ?? '');
@@ -40,15 +29,9 @@ export function drawDrivers(canvas, scene) {
         if (at) canvas.add('loads', pointer, 'drive', symbols.spin(at, rate >= 0, beside));
     }
 }
-/**
- * An arrow beside a slider that is driven.
- * @param {Canvas} canvas
- * @param {string} pointer
- * @param {Spot} at
- * @param {number} turned
- */
-function push(canvas, pointer, [x, y], turned) {
-    const from = /** @type {Spot} */ ([x - 22 * Math.sin(-turned), y - 22 * Math.cos(turned)]);
+/** An arrow beside a slider that is driven. */
+function push(canvas: Canvas, pointer: string, [x, y]: Spot, turned: number) {
+    const from = [x - 22 * Math.sin(-turned), y - 22 * Math.cos(turned)] as Spot;
     canvas.add(
         'loads',
         pointer,
@@ -56,26 +39,18 @@ function push(canvas, pointer, [x, y], turned) {
         symbols.arrow(from, [from[0] + 46 * Math.cos(turned), from[1] + 46 * Math.sin(turned)], 'driver')
     );
 }
-/**
- * @param {Canvas} canvas
- * @param {Scene} scene
- */
-export function drawMasses(canvas, scene) {
+export function drawMasses(canvas: Canvas, scene: Scene) {
     const {model} = scene;
     for (const {body, form} of model.masses) {
         const at = canvas.spot(form.centre ?? '');
         if (at) canvas.add('loads', Model.pointer(['masses', body]), canvas.look(body), symbols.weight(at));
     }
 }
-/**
- * @param {Canvas} canvas
- * @param {Scene} scene
- */
-export function drawLoads(canvas, scene) {
+export function drawLoads(canvas: Canvas, scene: Scene) {
     const {model} = scene;
     for (const {form, pointer} of model.loads) {
         const between = Array.isArray(form.between)
-            ? form.between.map((/** @type {string} */ each) => canvas.spot(each))
+            ? form.between.map((each: string) => canvas.spot(each))
             : [];
         if (between.length === 2 && between[0] && between[1]) {
             canvas.add('under', pointer, 'load', symbols.spring(between[0], between[1]));
@@ -88,21 +63,14 @@ export function drawLoads(canvas, scene) {
         else if (form.distributed !== undefined) drawDistributed(canvas, form, pointer);
     }
 }
-/**
- * @param {Canvas} canvas
- * @param {any} form
- * @param {string} pointer
- * @param {Spot} at
- * @param {string} point
- */
-function drawForce(canvas, form, pointer, at, point) {
+function drawForce(canvas: Canvas, form: Json, pointer: string, at: Spot, point: string) {
     const turned = canvas.turned(pointer, form.along), length = 62, sign = parseFloat(form.magnitude) < 0 ? -1 : 1;
     const taken = canvas.waysTaken(point, at), heads = turned + (sign < 0 ? Math.PI : 0);
-    const room = (/** @type {number} */ way) => Math.min(3, ...taken.map((each) => gap(way, each)));
+    const room = (way: number) => Math.min(3, ...taken.map((each) => gap(way, each)));
     // The arrow ends at the point, or begins there where bars are in the way.
     const isPull = room(heads + Math.PI) < 0.7 && room(heads) > 0.7;
-    const along = (/** @type {number} */ away) =>
-        /** @type {Spot} */ ([at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)]);
+    const along = (away: number) =>
+        [at[0] + away * Math.cos(heads), at[1] + away * Math.sin(heads)] as Spot;
     const [tail, tip] = isPull ? [along(8), along(length)] : [along(-length), along(-9)],
         end = isPull ? along(length + 6) : along(-length - 6);
     canvas.add(
@@ -113,30 +81,19 @@ function drawForce(canvas, form, pointer, at, point) {
         symbols.label([end[0] + 12, end[1] + 4], String(form.force), 'of-load')
     );
 }
-/**
- * @param {Canvas} canvas
- * @param {Scene} scene
- * @param {any} form
- * @param {string} pointer
- */
-function drawCouple(canvas, {model}, form, pointer) {
+function drawCouple(canvas: Canvas, {model}: Scene, form: Json, pointer: string) {
     const at = canvas.spot(model.pointsOf(String(form.body))[0] ?? '');
     if (at) canvas.add('loads', pointer, 'load', symbols.spin([at[0], at[1] - 4], !(parseFloat(form.value) < 0)));
 }
-/**
- * @param {Canvas} canvas
- * @param {any} form
- * @param {string} pointer
- */
-function drawDistributed(canvas, form, pointer) {
+function drawDistributed(canvas: Canvas, form: Json, pointer: string) {
     const from = canvas.spot(form.from ?? ''),
         to = canvas.spot(form.to ?? ''),
         turned = canvas.turned(pointer, form.along);
     if (!from || !to) return;
-    const back = (/** @type {Spot} */ at) =>
-        /** @type {Spot} */ ([at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)]);
+    const back = (at: Spot) =>
+        [at[0] - 34 * Math.cos(turned), at[1] - 34 * Math.sin(turned)] as Spot;
     const marks = [0, 0.25, 0.5, 0.75, 1].map((t) => {
-        const at = /** @type {Spot} */ ([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+        const at = [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])] as Spot;
         return symbols.arrow(back(at), at, 'force');
     });
     const [a, b] = [back(from), back(to)];

@@ -1,49 +1,33 @@
 // The file that is edited: its text, its name, what was saved last, and the history of its changes.
-import {JsonText} from './json_text.js';
+import {JsonText} from './json_text';
 
-/** @typedef {{text: string, selection: string | null}} Moment */
+export interface Moment {
+    text: string;
+    selection: string | null;
+}
 
 const mostMoments = 1000, mostCharacters = 2e7;
 
 export class MechanismDocument {
-    constructor() {
-        this.text = '';
-        this.name = '';
-        /**
-         * What the file on disk has; null: it does not exist yet.
-         * @type {string | null}
-         */
-        this.base = null;
-        /** What was opened or saved last: the text is changed where it differs. */
-        this.kept = '';
-        /** @type {Moment[]} */
-        this.past = [];
-        /** @type {Moment[]} */
-        this.future = [];
-        /** The name of a change that the next one of the same name joins, as while something is dragged. */
-        this.joins = '';
-        /** @type {JsonText | null} */
-        this.json = null;
-        /**
-         * The text as it was last when it was JSON.
-         * @type {JsonText | null}
-         */
-        this.lastJson = null;
-        /**
-         * What is selected, so that undoing brings it back.
-         * @type {() => string | null}
-         */
-        this.selected = () => null;
-        /** @type {((selection: string | null | undefined) => void)[]} */
-        this.listeners = [];
-    }
-    /**
-     * Begins with another file.
-     * @param {string} text
-     * @param {string} name
-     * @param {string | null} base
-     */
-    open(text, name, base) {
+    text = '';
+    name = '';
+    /** What the file on disk has; null: it does not exist yet. */
+    base: string | null = null;
+    /** What was opened or saved last: the text is changed where it differs. */
+    kept = '';
+    past: Moment[] = [];
+    future: Moment[] = [];
+    /** The name of a change that the next one of the same name joins, as while something is dragged. */
+    joins = '';
+    json: JsonText | null = null;
+    /** The text as it was last when it was JSON. */
+    lastJson: JsonText | null = null;
+    /** What is selected, so that undoing brings it back. */
+    selected: () => string | null = () => null;
+    listeners: ((selection: string | null | undefined) => void)[] = [];
+
+    /** Begins with another file. */
+    open(text: string, name: string, base: string | null) {
         this.past = [];
         this.future = [];
         this.joins = '';
@@ -53,12 +37,8 @@ export class MechanismDocument {
         this.lastJson = null;
         this.take(text, null);
     }
-    /**
-     * Changes the text. Changes that follow each other with the same `joins` are one step of the history.
-     * @param {string} text
-     * @param {string} [joins]
-     */
-    change(text, joins = '') {
+    /** Changes the text. Changes that follow each other with the same `joins` are one step of the history. */
+    change(text: string, joins = '') {
         if (text === this.text) return;
         if (joins === '' || joins !== this.joins) this.past.push({text: this.text, selection: this.selected()});
         this.joins = joins;
@@ -81,33 +61,23 @@ export class MechanismDocument {
     redo() {
         this.go(this.future, this.past);
     }
-    /**
-     * @param {Moment[]} from
-     * @param {Moment[]} to
-     */
-    go(from, to) {
+    go(from: Moment[], to: Moment[]) {
         const moment = from.pop();
         if (!moment) return;
         to.push({text: this.text, selection: this.selected()});
         this.joins = '';
         this.take(moment.text, moment.selection);
     }
-    /**
-     * The file on disk, or a copy that was taken away, has this text now.
-     * @param {string} text
-     */
-    saved(text) {
+    /** The file on disk, or a copy that was taken away, has this text now. */
+    saved(text: string) {
         this.base = text;
         this.kept = text;
     }
     get isChanged() {
         return this.text !== this.kept;
     }
-    /**
-     * @param {string} text
-     * @param {string | null} [selection] undefined: it stays
-     */
-    take(text, selection) {
+    /** @param selection undefined: it stays */
+    take(text: string, selection?: string | null) {
         this.text = text;
         try {
             this.json = new JsonText(text);

@@ -1,17 +1,17 @@
 // What can be taken away: the file, results, the sheet as pictures, and print.
-import {archiveOf} from './archive.js';
-import {byId, download, html} from './dom.js';
-import {picture} from './figures.js';
-import {word} from './words.js';
+import {archiveOf} from './archive';
+import type {Bench} from './bench';
+import {byId, download, html} from './dom';
+import {picture} from './figures';
+import {word} from './words';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * What the engine writes as one text: how it is asked for, and the file that it becomes.
- * @typedef {{type: string, ending: string, options?: Record<string, string>}} File
- * @type {Record<string, File & {want: 'results' | 'tex' | 'cycle' | 'live' | 'geogebra'}>}
- */
-const documents = {
+/** What the engine writes as one text: how it is asked for, and the file that it becomes. */
+export interface File {
+    type: string;
+    ending: string;
+    options?: Record<string, string>;
+}
+const documents: Record<string, File & {want: 'results' | 'tex' | 'cycle' | 'live' | 'geogebra'}> = {
     results: {want: 'results', type: 'text/plain', ending: '_results.json'},
     tex: {want: 'tex', type: 'text/plain', ending: '.tex'},
     cycle: {want: 'cycle', type: 'text/csv', ending: '.csv'},
@@ -21,18 +21,13 @@ const documents = {
 /** Dots for a unit of the picture: 96 dpi times three. */
 const sharpness = 3;
 
-/** @param {Bench} bench */
-const stem = (bench) => (bench.document.name || 'mechanism').replace(/\.json$/, '');
+const stem = (bench: Bench) => (bench.document.name || 'mechanism').replace(/\.json$/, '');
 
-/**
- * @param {string} text
- * @returns {Promise<Blob>}
- */
-async function pngOf(text) {
+async function pngOf(text: string): Promise<Blob> {
     const image = picture(text, '');
     await image.decode();
     const canvas = html('canvas', {width: image.naturalWidth * sharpness, height: image.naturalHeight * sharpness});
-    const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    const pen = canvas.getContext('2d') as CanvasRenderingContext2D;
     pen.fillStyle = '#fff';
     pen.fillRect(0, 0, canvas.width, canvas.height);
     pen.drawImage(image, 0, 0, canvas.width, canvas.height);
@@ -40,22 +35,15 @@ async function pngOf(text) {
         canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png')
     );
 }
-/**
- * The pages of the sheet on white paper.
- * @param {Bench} bench
- */
-async function pages(bench) {
+/** The pages of the sheet on white paper. */
+async function pages(bench: Bench) {
     const answer = await bench.inquiry.other(['sheet'], [], {theme: 'colour'});
     return answer.sheet ?? [];
 }
-/**
- * @param {Bench} bench
- * @param {string} kind
- * @param {(text: string) => void} say what the reader is told where there is nothing to take
- */
-export async function take(bench, kind, say) {
+/** @param say what the reader is told where there is nothing to take */
+export async function take(bench: Bench, kind: string, say: (text: string) => void) {
     const name = stem(bench),
-        text = (/** @type {string} */ each, /** @type {string} */ type) => new Blob([each], {type});
+        text = (each: string, type: string) => new Blob([each], {type});
     if (kind === 'json') return download(text(bench.document.text, 'application/json'), `${name}.json`);
     const document_ = documents[kind];
     if (document_) {
@@ -72,11 +60,8 @@ export async function take(bench, kind, say) {
         else download(await pngOf(page), `${file}.png`);
     }
 }
-/**
- * Prints the sheet; the browser makes a PDF of it too.
- * @param {Bench} bench
- */
-async function print(bench) {
+/** Prints the sheet; the browser makes a PDF of it too. */
+async function print(bench: Bench) {
     const paper = byId('paper'), images = (await pages(bench)).map((page) => picture(page, ''));
     await Promise.all(images.map((each) => each.decode()));
     paper.replaceChildren(...images);

@@ -1,45 +1,37 @@
 // The line in which places are typed: "150, 0" are coordinates, "40 < 60" a length and an angle from the last point.
-import {byId} from './dom.js';
-import {typed} from './edit.js';
-import {Literal} from './json_text.js';
-import {SelectTool} from './tools.js';
+import type {Bench} from './bench';
+import {byId} from './dom';
+import {type Spots, typed} from './edit';
+import {type Json, Literal} from './json_text';
+import {SelectTool} from './tools';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/** @param {any} value */
-const numberOf = (value) => (value instanceof Literal ? Number(value.text) : NaN);
+const numberOf = (value: Json) => (value instanceof Literal ? Number(value.text) : NaN);
 
 /**
  * What was typed, as a target; null: neither form.
- * @param {string} text
- * @param {string} from the point where a line begins
- * @param {import('./edit.js').Spots} spots
+ * @param from the point where a line begins
  */
-export function targetOf(text, from, spots) {
+export function targetOf(text: string, from: string, spots: Spots) {
     const polar = text.split('<'), pair = text.split(text.includes(';') ? ';' : ',');
     const none = {point: '', bar: null, says: '', snapped: ''};
     if (polar.length === 2 && from && polar.every((each) => each.trim())) {
-        const [length, turned] = polar.map((each) => typed(each.replace(/°\s*$/, ''))), start = spots[from] ?? [0, 0];
+        const [length, turned] = polar.map((each) => typed(each.replace(/\u00b0\s*$/, '')));
+        const start = spots[from] ?? [0, 0];
         const rad = ((numberOf(turned) || 0) * Math.PI) / 180, away = numberOf(length) || 0;
-        /** @type {[number, number]} */
-        const at = [start[0] + away * Math.cos(rad), start[1] + away * Math.sin(rad)];
+        const at: [number, number] = [start[0] + away * Math.cos(rad), start[1] + away * Math.sin(rad)];
         return {...none, at, form: {from, distance: length, angle: turned}};
     }
     if (pair.length === 2 && pair.every((each) => each.trim())) {
         const form = pair.map(typed);
-        return {...none, at: /** @type {[number, number]} */ (form.map((each) => numberOf(each) || 0)), form};
+        return {...none, at: form.map((each) => numberOf(each) || 0) as [number, number], form};
     }
     return null;
 }
 
 export class Entry {
-    /**
-     * @param {Bench} bench
-     * @param {SVGSVGElement} canvas
-     */
-    constructor(bench, canvas) {
-        /** @type {HTMLInputElement} */
-        this.input = byId('entry');
+    input: HTMLInputElement = byId('entry');
+
+    constructor(bench: Bench, canvas: SVGSVGElement) {
         this.input.addEventListener('keydown', (event) => {
             if (event.key === 'Escape') {
                 this.input.value = '';

@@ -1,29 +1,21 @@
 // Rows of the panel: a name and a value that is typed as the file has it (a number, a quantity, a formula), or chosen.
-import {html} from './dom.js';
-import {typed} from './edit.js';
-import {word} from './words.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import type {Bench} from './bench';
+import {html} from './dom';
+import {typed} from './edit';
+import type {Json} from './json_text';
+import {word} from './words';
 
 let fields = 0;
 
-/**
- * A value as it is typed.
- * @param {any} value
- */
-export function asTyped(value) {
+/** A value as it is typed. */
+export function asTyped(value: Json) {
     return value === undefined || value === null
         ? ''
         : typeof value === 'object'
           ? JSON.stringify(value)
           : String(value);
 }
-/**
- * @param {string} name
- * @param {HTMLElement} control
- * @param {string} [unit]
- */
-export function row(name, control, unit = '') {
+export function row(name: string, control: HTMLElement, unit = '') {
     const id = control.id || `field-${++fields}`;
     control.id = id;
     return html(
@@ -34,12 +26,13 @@ export function row(name, control, unit = '') {
     );
 }
 /**
- * @param {string} name
- * @param {string} value
- * @param {(value: any, text: string) => void} change what was typed, as the file has it
- * @param {{unit?: string, id?: string, text?: boolean, hint?: string}} more text: a text whatever is typed
+ * @param change what was typed, as the file has it
+ * @param more text: a text whatever is typed
  */
-export function field(name, value, change, {unit = '', id = '', text = false, hint = ''} = {}) {
+export function field(
+    name: string, value: string, change: (value: Json, text: string) => void,
+    {unit = '', id = '', text = false, hint = ''}: {unit?: string, id?: string, text?: boolean, hint?: string} = {}
+) {
     const input = html('input', {
         value,
         id: id || null,
@@ -63,25 +56,16 @@ export function field(name, value, change, {unit = '', id = '', text = false, hi
     });
     return row(name, input, unit);
 }
-/**
- * @param {string} name
- * @param {string} value
- * @param {[string, string][]} choices value and text
- * @param {(value: string) => void} change
- * @param {string} [id]
- */
-export function choice(name, value, choices, change, id = '') {
-    const select = html('select', {id: id || null, onchange: () => change(select.value)},
+/** @param choices value and text */
+export function choice(
+    name: string, value: string, choices: [string, string][], change: (value: string) => void, id = ''
+) {
+    const select: HTMLSelectElement = html('select', {id: id || null, onchange: () => change(select.value)},
         ...choices.map(([each, text]) => html('option', {value: each, selected: each === value}, text)));
     return row(name, select);
 }
-/**
- * @param {string} name
- * @param {boolean} isOn
- * @param {(isOn: boolean) => void} change
- */
-export function tick(name, isOn, change) {
-    const input = html('input', {
+export function tick(name: string, isOn: boolean, change: (isOn: boolean) => void) {
+    const input: HTMLInputElement = html('input', {
         type: 'checkbox',
         checked: isOn,
         id: `field-${++fields}`,
@@ -89,30 +73,18 @@ export function tick(name, isOn, change) {
     });
     return html('div', {class: 'row tick'}, input, html('label', {for: input.id}, name));
 }
-/**
- * @param {string | Node} name
- * @param {string} text
- * @param {string} [look]
- */
-export const told = (name, text, look = '') =>
+export const told = (name: string | Node, text: string, look = '') =>
     html('div', {class: 'row'}, html('span', {}, name), html('span', {class: `value ${look}`}, text));
-/**
- * @param {string} text
- * @param {() => void} act
- * @param {string} [id]
- */
-export const button = (text, act, id = '') => html('button', {type: 'button', onclick: act, id: id || null}, text);
-/** @param {string} text */
-export const heading = (text) => html('h2', {}, text);
+export const button = (text: string, act: () => void, id = '') =>
+    html('button', {type: 'button', onclick: act, id: id || null}, text);
+export const heading = (text: string) => html('h2', {}, text);
 
-/**
- * A field for one value of the file, by its path; emptied, the member is taken away if it may be absent.
- * @param {Bench} bench
- * @param {string} name
- * @param {(string | number)[]} path
- * @param {{unit?: string, id?: string, optional?: boolean, text?: boolean}} more
- */
-export function fileField(bench, name, path, {unit = '', id = '', optional = false, text = false} = {}) {
+/** A field for one value of the file, by its path; emptied, the member is taken away if it may be absent. */
+export function fileField(
+    bench: Bench, name: string, path: (string | number)[],
+    {unit = '', id = '', optional = false, text = false}:
+        {unit?: string, id?: string, optional?: boolean, text?: boolean} = {}
+) {
     const value = bench.document.lastJson?.plainAt(path);
     return field(name, asTyped(value), (typedValue, asText) => bench.edit((edit) => {
         if (asText.trim() === '' && optional) edit.remove(path);
@@ -120,8 +92,7 @@ export function fileField(bench, name, path, {unit = '', id = '', optional = fal
         else edit.set(path, typedValue);
     }), {unit, id, text, hint: word('formula_hint')});
 }
-/** @param {string} text */
-function isJson(text) {
+function isJson(text: string) {
     try {
         JSON.parse(text);
         return true;

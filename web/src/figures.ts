@@ -1,15 +1,10 @@
 // The polygons beside the canvas, as the engine draws them.
-import {byId, html} from './dom.js';
-import {word} from './words.js';
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {word} from './words';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * A picture of an SVG document; the page holds it as long as it is shown.
- * @param {string} text
- * @param {string} name
- */
-export function picture(text, name) {
+/** A picture of an SVG document; the page holds it as long as it is shown. */
+export function picture(text: string, name: string) {
     const address = URL.createObjectURL(new Blob([text], {type: 'image/svg+xml'}));
     const image = html('img', {src: address, alt: name, class: 'figure'});
     image.addEventListener('load', () => URL.revokeObjectURL(address));
@@ -18,15 +13,11 @@ export function picture(text, name) {
 }
 
 export class Figures {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        this.root = byId('figures');
-        /**
-         * What is shown, so that what has not changed stays.
-         * @type {Record<string, string>}
-         */
-        this.shown = {};
+    readonly root = byId('figures');
+    /** What is shown, so that what has not changed stays. */
+    shown: Record<string, string> = {};
+
+    constructor(readonly bench: Bench) {
         bench.on(['answer'], () => this.show());
         bench.on(['file'], () => bench.answer ?? this.clear());
     }

@@ -1,24 +1,22 @@
 // Open, save, new, drop a file, a link: what the file is, and that nothing is lost unasked.
-import {fileAsked} from './address.js';
-import {emptyFile} from './bench.js';
-import {byId, download, html} from './dom.js';
-import {fragmentOf, isLink, textOf} from './link.js';
-import {word} from './words.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import {fileAsked} from './address';
+import {type Bench, emptyFile} from './bench';
+import {byId, download, html} from './dom';
+import {fragmentOf, isLink, textOf} from './link';
+import {word} from './words';
 
 const mostBytes = 8 << 20;
 /** Whether a text is meant as a mechanism file. */
-const isJson = (/** @type {string} */ text) => /^\uFEFF?\s*\{/.test(text);
+const isJson = (text: string) => /^\uFEFF?\s*\{/.test(text);
 
 export class Files {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        /** @type {HTMLInputElement} */
-        this.picker = byId('picker');
-        /** Why the last text was no link of PMKS+. */
-        this.fault = '';
+    picker: HTMLInputElement = byId('picker');
+    /** Why the last text was no link of PMKS+. */
+    fault = '';
+    isServed: boolean | undefined;
+    timer: number | undefined;
+
+    constructor(readonly bench: Bench) {
         this.picker.addEventListener('change', () => {
             const [file] = this.picker.files ?? [];
             this.picker.value = '';
@@ -82,14 +80,9 @@ export class Files {
             this.ask(word('lose_changes'), word('go_on'))
         );
     }
-    /**
-     * A question with two answers.
-     * @param {string} text
-     * @param {string} yes
-     */
-    ask(text, yes) {
-        /** @type {HTMLDialogElement} */
-        const dialog = byId('question');
+    /** A question with two answers. */
+    ask(text: string, yes: string) {
+        const dialog: HTMLDialogElement = byId('question');
         byId('question-text').textContent = text;
         byId('question-yes').textContent = yes;
         dialog.returnValue = '';
@@ -101,8 +94,7 @@ export class Files {
     pick() {
         this.picker.click();
     }
-    /** @param {File} file */
-    async read(file) {
+    async read(file: File) {
         if (file.size > mostBytes) return this.say(word('too_large'));
         const text = await file.text();
         if (!isJson(text) && await this.takePmks(text, file.name)) return;
@@ -110,11 +102,8 @@ export class Files {
         this.isServed = false;
         this.bench.open(text, file.name, text);
     }
-    /**
-     * Opens a text that was pasted or dropped: a mechanism file, or a link of PMKS+.
-     * @param {string} text
-     */
-    async take(text) {
+    /** Opens a text that was pasted or dropped: a mechanism file, or a link of PMKS+. */
+    async take(text: string) {
         if (text.trim() === '' || text.length > mostBytes) return;
         if (isJson(text)) return this.openExample(text, 'mechanism.json');
         if (!await this.takePmks(text, 'mechanism.json')) this.say(this.fault);
@@ -122,10 +111,8 @@ export class Files {
     /**
      * Makes a mechanism of a link of PMKS+ and opens it, after what changed was said. False: it is none; then `fault`
      * says why.
-     * @param {string} text
-     * @param {string} name
      */
-    async takePmks(text, name) {
+    async takePmks(text: string, name: string) {
         const options = this.bench.inquiry.options();
         const {imported, remarks, faults, failure} = await this.bench.engine.answer({text: text.trim(), name,
             want: ['import'], options});
@@ -137,20 +124,14 @@ export class Files {
     }
     /** Asks for a link of PMKS+. */
     async askForPmks() {
-        /** @type {HTMLDialogElement} */
-        const dialog = byId('import');
-        /** @type {HTMLTextAreaElement} */
-        const field = byId('import-text');
+        const dialog: HTMLDialogElement = byId('import');
+        const field: HTMLTextAreaElement = byId('import-text');
         field.value = dialog.returnValue = '';
         dialog.showModal();
         await new Promise((resolve) => dialog.addEventListener('close', resolve, {once: true}));
         if (dialog.returnValue === 'yes') await this.take(field.value);
     }
-    /**
-     * @param {string} text
-     * @param {string} name
-     */
-    async openExample(text, name) {
+    async openExample(text: string, name: string) {
         if (!await this.mayLose()) return;
         this.isServed = false;
         this.bench.open(text, name, text);
@@ -158,12 +139,8 @@ export class Files {
     startNew() {
         return this.openNew(emptyFile(word('untitled')), 'mechanism.json');
     }
-    /**
-     * Opens what no disk has yet.
-     * @param {string} text
-     * @param {string} name
-     */
-    async openNew(text, name) {
+    /** Opens what no disk has yet. */
+    async openNew(text: string, name: string) {
         if (!await this.mayLose()) return;
         this.isServed = false;
         this.bench.open(text, name, null);
@@ -212,11 +189,10 @@ export class Files {
         byId('name').title = name;
         byId('changed').hidden = !isChanged;
         document.title = `${isChanged ? '• ' : ''}${shown} – Kinegraph`;
-        byId('undo').disabled = bench.document.past.length === 0;
-        byId('redo').disabled = bench.document.future.length === 0;
+        byId<HTMLButtonElement>('undo').disabled = bench.document.past.length === 0;
+        byId<HTMLButtonElement>('redo').disabled = bench.document.future.length === 0;
     }
-    /** @param {string} text */
-    say(text) {
+    say(text: string) {
         const notice = byId('notice');
         notice.replaceChildren(html('span', {}, text));
         notice.hidden = false;

@@ -1,24 +1,23 @@
 // The examples, each with its drawing, which the engine makes when it comes into view.
-import {byId, html} from './dom.js';
-import {picture} from './figures.js';
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {picture} from './figures';
+import type {Files} from './files';
 
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {{path: string, title: string | Record<string, string>}} Example
- */
+export interface Example {
+    path: string;
+    title: string | Record<string, string>;
+}
 
 export class Gallery {
-    /**
-     * @param {Bench} bench
-     * @param {import('./files.js').Files} files
-     */
-    constructor(bench, files) {
-        this.bench = bench;
-        this.files = files;
-        /** @type {HTMLDialogElement} */
-        this.dialog = byId('gallery');
-        /** @type {HTMLInputElement} */
-        this.search = byId('gallery-search');
+    dialog: HTMLDialogElement = byId('gallery');
+    search: HTMLInputElement = byId('gallery-search');
+    readonly observer: IntersectionObserver;
+    /** One drawing after the other, so that the file's own answers come between. */
+    queue: Promise<void>;
+    isFilled: boolean | undefined;
+
+    constructor(readonly bench: Bench, readonly files: Files) {
         this.search.addEventListener('input', () => this.filter());
         this.observer = new IntersectionObserver(
             (entries) =>
@@ -26,23 +25,20 @@ export class Gallery {
                     .filter((each) => each.isIntersecting)
                     .forEach(({target}) => {
                         this.observer.unobserve(target);
-                        this.queue = this.queue.then(() => this.draw(/** @type {HTMLElement} */ (target)));
+                        this.queue = this.queue.then(() => this.draw(target as HTMLElement));
                     }),
             {rootMargin: '200px'}
         );
-        /** One drawing after the other, so that the file's own answers come between. */
         this.queue = Promise.resolve();
     }
     async open() {
         this.dialog.showModal();
         if (this.isFilled) return;
         this.isFilled = true;
-        /** @type {Example[]} */
-        const all = await (await fetch('examples.json')).json();
+        const all: Example[] = await (await fetch('examples.json')).json();
         byId('gallery-list').replaceChildren(...all.map((each) => this.card(each)));
     }
-    /** @param {Example} example */
-    card({path, title}) {
+    card({path, title}: Example) {
         const {language} = this.bench.inquiry,
             name = typeof title === 'string' ? title : (title[language] ?? title.en ?? '');
         const card = html(
@@ -54,8 +50,7 @@ export class Gallery {
         this.observer.observe(card);
         return card;
     }
-    /** @param {HTMLElement} card */
-    async draw(card) {
+    async draw(card: HTMLElement) {
         if (!this.dialog.open) return this.observer.observe(card);
         const path = card.dataset.path ?? '',
             text = await (await fetch(path)).text(),
@@ -71,8 +66,7 @@ export class Gallery {
         const drawn = answer.figures?.mechanism;
         if (drawn) card.querySelector('.thumb')?.replaceChildren(picture(drawn, ''));
     }
-    /** @param {string} path */
-    async choose(path) {
+    async choose(path: string) {
         const text = await (await fetch(path)).text();
         this.dialog.close();
         await this.files.openExample(text, path.slice(path.lastIndexOf('/') + 1));
@@ -80,8 +74,8 @@ export class Gallery {
     filter() {
         const wanted = this.search.value.trim().toLowerCase();
         for (const card of this.dialog.querySelectorAll('.card'))
-            /** @type {HTMLElement} */ (card).hidden =
+            (card as HTMLElement).hidden =
                 wanted !== '' &&
-                !`${card.textContent} ${/** @type {HTMLElement} */ (card).dataset.path}`.toLowerCase().includes(wanted);
+                !`${card.textContent} ${(card as HTMLElement).dataset.path}`.toLowerCase().includes(wanted);
     }
 }

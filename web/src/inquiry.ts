@@ -1,30 +1,23 @@
 // Asks the engine after every change: first where everything is, then the rest. One question at a time; what became
 // old while it was answered is dropped.
-
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {import('../../app/workbench/protocol.js').Want} Want
- * @typedef {import('../../app/workbench/protocol.js').Answer} Answer
- */
+import type {Bench} from './bench';
+import type {Answer, Want} from '../../app/workbench/protocol';
 
 /** Between a change and the question for figures, ms: while something is dragged they wait. */
 const pause = 120;
 const shown = ['velocity', 'acceleration', 'forces', 'truss', 'cremona'];
 
 export class Inquiry {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        this.isAsking = false;
-        this.isStale = false;
-        this.number = 0;
-        /** @type {number | undefined} */
-        this.timer = undefined;
-        this.theme = 'colour';
-        this.language = 'en';
-        /** How long the engine took for the whole, ms. */
-        this.took = 0;
-    }
+    isAsking = false;
+    isStale = false;
+    number = 0;
+    timer: number | undefined;
+    theme = 'colour';
+    language = 'en';
+    /** How long the engine took for the whole, ms. */
+    took = 0;
+
+    constructor(readonly bench: Bench) {}
     /** The file has changed. */
     ask() {
         ++this.number;
@@ -46,11 +39,7 @@ export class Inquiry {
     figures() {
         return shown;
     }
-    /**
-     * @param {Want[]} want
-     * @param {string[]} [figures]
-     */
-    async once(want, figures = []) {
+    async once(want: Want[], figures: string[] = []) {
         const {bench, number} = this, {text, name} = bench.document, began = performance.now();
         const answer = await bench.engine.answer({text, name, want, figures, options: this.options()});
         if (number !== this.number) return;
@@ -61,20 +50,12 @@ export class Inquiry {
     options() {
         return {lang: this.language, theme: this.theme};
     }
-    /**
-     * One answer besides, for a view of its own.
-     * @param {Want[]} want
-     * @param {string[]} [figures]
-     * @param {Record<string, unknown>} [options]
-     */
-    async other(want, figures = [], options = {}) {
+    /** One answer besides, for a view of its own. */
+    async other(want: Want[], figures: string[] = [], options: Record<string, unknown> = {}) {
         const {text, name} = this.bench.document;
         return this.bench.engine.answer({text, name, want, figures, options: {...this.options(), ...options}});
     }
 }
 
-/**
- * What stays on the screen until the next whole answer.
- * @param {Answer} answer
- */
-const kept = ({values, names, figures, unsolved}) => ({values, names, figures, unsolved, isOld: true});
+/** What stays on the screen until the next whole answer. */
+const kept = ({values, names, figures, unsolved}: Answer) => ({values, names, figures, unsolved, isOld: true});

@@ -1,20 +1,19 @@
 // The panel of properties: of what is selected, otherwise of the whole mechanism.
-import {byId, html} from './dom.js';
-import {asTyped, button, choice, field, fileField, heading, told} from './fields.js';
-import {deleteSelected} from './keys.js';
-import {bodyFields, driverFields, jointFields, loadFields, massFields} from './inspector_parts.js';
-import {angle, distance, formOf, forms, placeBy, setAngle, setDistance} from './placing.js';
-import {rename} from './references.js';
-import {pointerTo} from './tools.js';
-import {numberText, word} from './words.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {asTyped, button, choice, field, fileField, heading, told} from './fields';
+import {bodyFields, driverFields, jointFields, loadFields, massFields} from './inspector_parts';
+import type {Json} from './json_text';
+import {deleteSelected} from './keys';
+import {angle, distance, formOf, forms, placeBy, setAngle, setDistance} from './placing';
+import {rename} from './references';
+import {pointerTo} from './tools';
+import {numberText, word} from './words';
 
 export class Inspector {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        this.root = byId('properties');
+    readonly root = byId('properties');
+
+    constructor(readonly bench: Bench) {
         bench.on(['file', 'answer', 'selection'], () => this.show());
     }
     /** Shows it anew; what is typed at the moment stays. */
@@ -33,8 +32,7 @@ export class Inspector {
         this.root.replaceChildren(...(selected ? this.ofSelected(selected) : this.ofMechanism()));
         if (id) document.getElementById(id)?.focus();
     }
-    /** @param {NonNullable<ReturnType<Bench['selected']>>} selected */
-    ofSelected({list, key, path, form}) {
+    ofSelected({list, key, path, form}: NonNullable<ReturnType<Bench['selected']>>) {
         const {bench} = this, name = String(key);
         const parts = list === 'points' ? this.ofPoint(name, form) : list === 'bodies' ? bodyFields(bench, name) :
             list === 'joints' ? jointFields(bench, Number(key)) : list === 'drivers' ? driverFields(bench, path, form) :
@@ -43,11 +41,7 @@ export class Inspector {
         remove.classList.add('danger');
         return [...parts, html('div', {class: 'acts'}, remove)];
     }
-    /**
-     * @param {string} name
-     * @param {any} form
-     */
-    ofPoint(name, form) {
+    ofPoint(name: string, form: Json) {
         const {bench} = this, {model} = bench, path = ['points', name], kind = formOf(form), others = model.points
             .map((each) => each.name).filter((each) => each !== name && !model.dependsOn(each, name));
         const rows = [heading(word('point', name)), renameField(bench, 'point', name)];
@@ -96,14 +90,11 @@ export class Inspector {
     }
     /**
      * The fields of one form of a point.
-     * @param {string} kind
-     * @param {any} form
-     * @param {(string | number)[]} path
-     * @param {string[]} others points that it may refer to
+     * @param others points that it may refer to
      */
-    ofPlacing(kind, form, path, others) {
+    ofPlacing(kind: string, form: Json, path: (string | number)[], others: string[]) {
         const {bench} = this, {unit} = bench.model;
-        const ofPoint = (/** @type {string} */ text, /** @type {(string | number)[]} */ at) =>
+        const ofPoint = (text: string, at: (string | number)[]) =>
             choice(
                 text,
                 asTyped(bench.document.lastJson?.plainAt(at)),
@@ -121,14 +112,9 @@ export class Inspector {
                 'ratio' in form ? fileField(bench, word('ratio'), [...path, 'ratio'], {id: 'ratio'}) : far()];
         return kind === 'meet' ? this.ofMeet(form, path, ofPoint) : [];
     }
-    /**
-     * @param {any} form
-     * @param {(string | number)[]} path
-     * @param {(text: string, at: (string | number)[]) => HTMLElement} ofPoint
-     */
-    ofMeet(form, path, ofPoint) {
+    ofMeet(form: Json, path: (string | number)[], ofPoint: (text: string, at: (string | number)[]) => HTMLElement) {
         const {bench} = this, {unit} = bench.model;
-        const rows = form.meet.flatMap((/** @type {any} */ curve, /** @type {number} */ i) => {
+        const rows = form.meet.flatMap((curve: Json, i: number) => {
             const at = [...path, 'meet', i];
             if (curve?.circle !== undefined)
                 return [
@@ -216,25 +202,17 @@ export class Inspector {
                 pointer
             ])
         ];
-        return links(bench, word('parts'), /** @type {[string, string][]} */ (parts));
+        return links(bench, word('parts'), parts as [string, string][]);
     }
 }
 
-/**
- * ω₃ for "omega 3".
- * @param {string} name
- */
-function symbolOf(name) {
+/** ω₃ for "omega 3". */
+function symbolOf(name: string) {
     const [, letter, index] = /^(\S+) (.+)$/.exec(name) ?? ['', name, ''];
     const of = {omega: 'ω', alpha: 'α'}[letter] ?? letter;
     return html('span', {}, of, ...index ? [html('sub', {}, index)] : []);
 }
-/**
- * @param {Bench} bench
- * @param {number} effective
- * @param {number} drivers
- */
-function freedom(bench, effective, drivers) {
+function freedom(bench: Bench, effective: number, drivers: number) {
     const left = effective - drivers,
         good = left === 0 && effective > 0;
     const says =
@@ -245,40 +223,25 @@ function freedom(bench, effective, drivers) {
               : word('freedom_driven', effective);
     return told(word('freedom'), says, good || (effective === 0 && bench.model.loads.length > 0) ? 'good' : 'open');
 }
-/**
- * Buttons that select.
- * @param {Bench} bench
- * @param {string} title
- * @param {[string, string][]} parts
- */
-export function links(bench, title, parts) {
+/** Buttons that select. */
+export function links(bench: Bench, title: string, parts: [string, string][]) {
     if (parts.length === 0) return [];
     return [
         heading(title),
         html('div', {class: 'parts'}, ...parts.map(([text, pointer]) => button(text, () => bench.select(pointer))))
     ];
 }
-/**
- * @param {Bench} bench
- * @param {'point' | 'body'} kind
- * @param {string} name
- */
-export function renameField(bench, kind, name) {
+export function renameField(bench: Bench, kind: 'point' | 'body', name: string) {
     return field(word('name'), name, (_, text) => bench.edit((edit) => {
         const to = text.trim();
         return rename(edit, kind, name, to) ? pointerTo(kind === 'point' ? 'points' : 'bodies', to) : undefined;
     }), {id: 'name', text: true});
 }
-/**
- * The length and the direction between two points, as they may be typed.
- * @param {Bench} bench
- * @param {string} p
- * @param {string} q
- */
-export function spanFields(bench, p, q) {
+/** The length and the direction between two points, as they may be typed. */
+export function spanFields(bench: Bench, p: string, q: string) {
     const [a, b] = [bench.spots[p], bench.spots[q]];
     if (!a || !b) return [];
-    const shown = (/** @type {number} */ value) => String(Number(value.toPrecision(6)));
+    const shown = (value: number) => String(Number(value.toPrecision(6)));
     return [
         field(
             word('length_of', p, q),
@@ -300,19 +263,14 @@ export function spanFields(bench, p, q) {
         )
     ];
 }
-/**
- * What the file gives as the distance of two points.
- * @param {Bench} bench
- * @param {string} p
- * @param {string} q
- */
-function givenLength({model}, p, q) {
+/** What the file gives as the distance of two points. */
+function givenLength({model}: Bench, p: string, q: string) {
     for (const [point, other] of [[p, q], [q, p]]) {
         const form = model.point(point)?.form;
         if (form && !Array.isArray(form) && form.from === other && 'distance' in form && !form.to)
             return asTyped(form.distance);
         const circle = Array.isArray(form?.meet)
-            ? form.meet.find((/** @type {any} */ each) => each?.circle === other)
+            ? form.meet.find((each: Json) => each?.circle === other)
             : null;
         if (circle) return asTyped(circle.radius);
     }

@@ -1,22 +1,16 @@
 // The properties of links, joints, drivers, loads and weights.
-import {html} from './dom.js';
-import {bodyValue} from './edit.js';
-import {asTyped, button, choice, fileField, heading, row, tick, told} from './fields.js';
-import {links, renameField, spanFields} from './inspector.js';
-import {bars} from './snap.js';
-import {pointerTo} from './tools.js';
-import {word} from './words.js';
+import type {Bench} from './bench';
+import {html} from './dom';
+import {bodyValue, type Edit} from './edit';
+import {asTyped, button, choice, fileField, heading, row, tick, told} from './fields';
+import {links, renameField, spanFields} from './inspector';
+import type {Json, Path} from './json_text';
+import type {JointItem} from './model';
+import {bars} from './snap';
+import {pointerTo} from './tools';
+import {word} from './words';
 
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {import('./json_text.js').Path} Path
- */
-
-/**
- * @param {Bench} bench
- * @param {string} name
- */
-export function bodyFields(bench, name) {
+export function bodyFields(bench: Bench, name: string) {
     const {model} = bench,
         points = model.pointsOf(name),
         driver = model.drivers.find(({form}) => String(form.body) === name);
@@ -24,11 +18,14 @@ export function bodyFields(bench, name) {
     for (const [p, q] of bars(model, name, bench.spots).slice(0, 4)) rows.push(...spanFields(bench, p, q));
     const others = model.points.map((each) => each.name).filter((each) => !points.includes(each));
     if (others.length > 0) {
-        const select = html('select', {id: 'add-point', onchange: () => select.value && bench.edit((edit) => {
-            const carried = edit.model.bodiesAt(select.value);
-            edit.addPointToBody(select.value, name);
-            if (carried.length > 0) edit.addHinge(select.value, [...carried, name]);
-        })}, html('option', {value: ''}, '…'), ...others.map((each) => html('option', {value: each}, each)));
+        const add = (edit: Edit, point: string) => {
+            const carried = edit.model.bodiesAt(point);
+            edit.addPointToBody(point, name);
+            if (carried.length > 0) edit.addHinge(point, [...carried, name]);
+        };
+        const select: HTMLSelectElement = html('select', {
+            id: 'add-point', onchange: () => select.value && bench.edit((edit) => add(edit, select.value))
+        }, html('option', {value: ''}, '…'), ...others.map((each) => html('option', {value: each}, each)));
         rows.push(row(word('add_point'), select));
     }
     rows.push(...colourFields(bench, name));
@@ -44,14 +41,10 @@ export function bodyFields(bench, name) {
     return rows;
 }
 
-/**
- * The colour of a body, and the way back to the theme's.
- * @param {Bench} bench
- * @param {string} name
- */
-function colourFields(bench, name) {
+/** The colour of a body, and the way back to the theme's. */
+function colourFields(bench: Bench, name: string) {
     const own = bench.model.bodyNamed(name)?.colour ?? '';
-    const give = (/** @type {string} */ colour, joins = '') =>
+    const give = (colour: string, joins = '') =>
         bench.edit((edit) => edit.setColour(name, colour), joins);
     const input = html('input', {type: 'color', id: 'colour', value: own || lookOf(name)});
     input.addEventListener('input', () => give(input.value, `colour ${name}`));
@@ -64,21 +57,14 @@ function colourFields(bench, name) {
     const back = button(word('colour_of_theme'), () => give(''), 'colour-of-theme');
     return [row(word('colour'), input), ...own ? [html('div', {class: 'acts'}, back)] : []];
 }
-/**
- * The colour in which a body is drawn.
- * @param {string} name
- */
-function lookOf(name) {
+/** The colour in which a body is drawn. */
+function lookOf(name: string) {
     const drawn = document.querySelector(`#canvas [data-of="${CSS.escape(pointerTo('bodies', name))}"]`);
     const look = drawn ? getComputedStyle(drawn).getPropertyValue('--look').trim() : '';
     return /^#[0-9a-f]{6}$/i.test(look) ? look : '#808080';
 }
 
-/**
- * @param {Bench} bench
- * @param {number} index
- */
-export function jointFields(bench, index) {
+export function jointFields(bench: Bench, index: number) {
     const joint = bench.model.joints.find((each) => each.path[1] === index);
     if (!joint) return [];
     const rows = [
@@ -99,18 +85,12 @@ export function jointFields(bench, index) {
     return rows;
 }
 
-/**
- * What a body shows at a contact: a circle, a straight line, a tip.
- * @param {Bench} bench
- * @param {import('./model.js').JointItem} joint
- * @param {string} body
- */
-function profileFields(bench, joint, body) {
+/** What a body shows at a contact: a circle, a straight line, a tip. */
+function profileFields(bench: Bench, joint: JointItem, body: string) {
     const form = joint.form.profiles?.[body] ?? {}, path = [...joint.path, 'profiles', body], {model} = bench;
     const kind = ['circle', 'line', 'tip'].find((each) => each in form) ?? '';
     const none = model.bodyNamed(body)?.circle ? 'profile_own' : 'profile_none';
-    /** @type {[string, string][]} */
-    const kinds = ['circle', 'line', 'tip'].map((each) => [each, word(`profile_${each}`)]);
+    const kinds: [string, string][] = ['circle', 'line', 'tip'].map((each) => [each, word(`profile_${each}`)]);
     const rows = [choice(
         word('profile_of', body),
         kind,
@@ -125,12 +105,7 @@ function profileFields(bench, joint, body) {
     return rows;
 }
 
-/**
- * @param {Bench} bench
- * @param {Path} path
- * @param {any} form
- */
-export function driverFields(bench, path, form) {
+export function driverFields(bench: Bench, path: Path, form: Json) {
     const slides = form.body === undefined, rows = [heading(word('driver_of', asTyped(form.body ?? form.joint)))];
     if (form.law) return [...rows, fileField(bench, word('law'), [...path, 'law'])];
     if (slides || form.at)
@@ -150,7 +125,7 @@ export function driverFields(bench, path, form) {
             button(word('drive_by_law'), () => bench.edit((edit) => edit.addLaw(path, form)), 'by-law')
         )
     );
-    const isMine = (/** @type {any} */ effort) =>
+    const isMine = (effort: Json) =>
         effort && (slides ? effort.joint === form.joint : String(effort.body) === String(form.body));
     const {effort} = bench.model.file,
         has = [effort].flat().some(isMine);
@@ -170,12 +145,7 @@ export function driverFields(bench, path, form) {
     return rows;
 }
 
-/**
- * @param {Bench} bench
- * @param {Path} path
- * @param {any} form
- */
-export function loadFields(bench, path, form) {
+export function loadFields(bench: Bench, path: Path, form: Json) {
     const name = asTyped(form.force ?? form.couple ?? form.spring ?? form.distributed),
         rows = [heading(word('load', name))];
     const key = ['force', 'couple', 'spring', 'distributed'].find((each) => each in form) ?? 'force';
@@ -217,11 +187,7 @@ export function loadFields(bench, path, form) {
     return rows;
 }
 
-/**
- * @param {Bench} bench
- * @param {string} body
- */
-export function massFields(bench, body) {
+export function massFields(bench: Bench, body: string) {
     const path = ['masses', body],
         form = bench.model.masses.find((each) => each.body === body)?.form ?? {};
     return [

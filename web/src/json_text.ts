@@ -1,32 +1,44 @@
 // JSON as text: where each value stands, and edits that change nothing else of the text.
 
+export interface Node {
+    kind: 'object' | 'array' | 'string' | 'number' | 'word';
+    start: number;
+    end: number;
+    members: Member[];
+    items: Node[];
+    value: Json;
+}
+export interface Member {
+    key: string;
+    start: number;
+    keyEnd: number;
+    value: Node;
+}
 /**
- * @typedef {{kind: 'object' | 'array' | 'string' | 'number' | 'word', start: number, end: number, members: Member[],
- *     items: Node[], value: any}} Node
- * @typedef {{key: string, start: number, keyEnd: number, value: Node}} Member
- * @typedef {(string | number)[]} Path
+ * A value of the user's file, which may be any JSON: it is read by what it has, never trusted. `unknown` would ask for
+ * a test at each step of a path that the engine has already judged.
  */
+// eslint-disable-next-line @typescript-eslint/no-explicit-any
+export type Json = any;
+export type Path = (string | number)[];
 
 const deepest = 64, longestNumber = 2048;
 
 /** A text that is no JSON; `at`: the offset of the fault. */
 export class NotJson extends Error {
-    /** @param {number} at */
-    constructor(at) {
+    constructor(readonly at: number) {
         super('no JSON');
-        this.at = at;
     }
 }
 
 /** Reads a text once, from its beginning to its end. */
 class Reader {
-    /** @param {string} text */
-    constructor(text) {
-        this.text = text;
+    at: number;
+
+    constructor(readonly text: string) {
         this.at = text.startsWith('\uFEFF') ? 1 : 0;
     }
-    /** @returns {Node} */
-    whole() {
+    whole(): Node {
         const value = this.value(0);
         this.skip();
         if (this.at < this.text.length) throw new NotJson(this.at);
@@ -35,15 +47,13 @@ class Reader {
     skip() {
         while (' \t\r\n'.includes(this.text[this.at]) && this.at < this.text.length) ++this.at;
     }
-    /** @param {string} sign */
-    takes(sign) {
+    takes(sign: string) {
         this.skip();
         if (this.text[this.at] !== sign) return false;
         ++this.at;
         return true;
     }
-    /** @param {string} sign */
-    expect(sign) {
+    expect(sign: string) {
         if (!this.takes(sign)) throw new NotJson(this.at);
     }
     /** To the end of a string; what stands in it JSON.parse checks. */
@@ -53,11 +63,7 @@ class Reader {
             if (text[this.at] === '\\') ++this.at;
         ++this.at;
     }
-    /**
-     * @param {number} depth
-     * @returns {Node}
-     */
-    value(depth) {
+    value(depth: number): Node {
         if (depth > deepest) throw new NotJson(this.at);
         this.skip();
         const sign = this.text[this.at];
@@ -83,13 +89,8 @@ class Reader {
             throw new NotJson(start);
         }
     }
-    /**
-     * @param {number} depth
-     * @returns {Node}
-     */
-    object(depth) {
-        /** @type {Node} */
-        const node = {kind: 'object', start: this.at++, end: 0, members: [], items: [], value: null};
+    object(depth: number): Node {
+        const node: Node = {kind: 'object', start: this.at++, end: 0, members: [], items: [], value: null};
         if (!this.takes('}')) {
             do {
                 this.skip();
@@ -103,13 +104,8 @@ class Reader {
         node.end = this.at;
         return node;
     }
-    /**
-     * @param {number} depth
-     * @returns {Node}
-     */
-    array(depth) {
-        /** @type {Node} */
-        const node = {kind: 'array', start: this.at++, end: 0, members: [], items: [], value: null};
+    array(depth: number): Node {
+        const node: Node = {kind: 'array', start: this.at++, end: 0, members: [], items: [], value: null};
         if (!this.takes(']')) {
             do {
                 node.items.push(this.value(depth + 1));
@@ -121,24 +117,16 @@ class Reader {
     }
 }
 
-/**
- * The value of a node as JavaScript has it.
- * @param {Node | undefined} node
- * @returns {any}
- */
-export function plain(node) {
+/** The value of a node as JavaScript has it. */
+export function plain(node: Node | undefined): Json {
     if (!node) return undefined;
     if (node.kind === 'array') return node.items.map(plain);
     if (node.kind !== 'object') return node.value;
     return Object.fromEntries(node.members.map(({key, value}) => [key, plain(value)]));
 }
 
-/**
- * A value on one line, as files are written by hand: {"from": "A", "distance": 40}.
- * @param {any} value
- * @returns {string}
- */
-export function written(value) {
+/** A value on one line, as files are written by hand: {"from": "A", "distance": 40}. */
+export function written(value: Json): string {
     if (value instanceof Literal) return value.text;
     if (Array.isArray(value)) return `[${value.map(written).join(', ')}]`;
     if (value === null || typeof value !== 'object') return JSON.stringify(value);
@@ -147,59 +135,37 @@ export function written(value) {
 
 /** A value that keeps its digits: the text of a number, as typed or as the file has it. */
 export class Literal {
-    /** @param {string} text */
-    constructor(text) {
-        this.text = text;
-    }
+    constructor(readonly text: string) {}
 }
 
 /** A text that is JSON, and edits of it. It does not change: each edit makes another. */
 export class JsonText {
-    /** @param {string} text */
-    constructor(text) {
-        this.text = text;
+    readonly root: Node;
+
+    constructor(readonly text: string) {
         this.root = new Reader(text).whole();
     }
-    /**
-     * @param {Path} path
-     * @returns {Node | undefined}
-     */
-    at(path) {
-        /** @type {Node | undefined} */
-        let node = this.root;
+    at(path: Path): Node | undefined {
+        let node: Node | undefined = this.root;
         for (const step of path) {
             node = typeof step === 'number' ? node.items[step] : node.members.find((each) => each.key === step)?.value;
             if (!node) return undefined;
         }
         return node;
     }
-    /** @param {Path} path */
-    plainAt(path) {
+    plainAt(path: Path) {
         return plain(this.at(path));
     }
-    /**
-     * The text of a value, with its digits.
-     * @param {Path} path
-     */
-    rawAt(path) {
+    /** The text of a value, with its digits. */
+    rawAt(path: Path) {
         const node = this.at(path);
         return node ? this.text.slice(node.start, node.end) : undefined;
     }
-    /**
-     * @param {number} start
-     * @param {number} end
-     * @param {string} by
-     */
-    spliced(start, end, by) {
+    spliced(start: number, end: number, by: string) {
         return new JsonText(this.text.slice(0, start) + by + this.text.slice(end));
     }
-    /**
-     * Sets what the path leads to; what is missing on the way is added.
-     * @param {Path} path
-     * @param {any} value
-     * @returns {JsonText}
-     */
-    set(path, value) {
+    /** Sets what the path leads to; what is missing on the way is added. */
+    set(path: Path, value: Json): JsonText {
         const node = this.at(path);
         if (node) {
             const by = written(value);
@@ -210,29 +176,16 @@ export class JsonText {
         if (parent) return typeof last === 'number' ? this.add(parents, value) : this.insert(parents, last, value);
         return this.set(parents, typeof last === 'number' ? [] : {}).set(path, value);
     }
-    /**
-     * Adds a member at the end of an object.
-     * @param {Path} path
-     * @param {string} key
-     * @param {any} value
-     */
-    insert(path, key, value) {
+    /** Adds a member at the end of an object. */
+    insert(path: Path, key: string, value: Json) {
         return this.append(path, `${JSON.stringify(key)}: ${written(value)}`);
     }
-    /**
-     * Adds an element at the end of an array.
-     * @param {Path} path
-     * @param {any} value
-     */
-    add(path, value) {
+    /** Adds an element at the end of an array. */
+    add(path: Path, value: Json) {
         return this.append(path, written(value));
     }
-    /**
-     * @param {Path} path
-     * @param {string} text
-     */
-    append(path, text) {
-        const node = /** @type {Node} */ (this.at(path));
+    append(path: Path, text: string) {
+        const node = this.at(path) as Node;
         const last = node.kind === 'object' ? node.members[node.members.length - 1] : node.items[node.items.length - 1];
         const indent = this.indentOf(node.start), open = node.start + 1;
         if (!last) {
@@ -246,23 +199,16 @@ export class JsonText {
         const fits = end - lineStart + text.length < 110;
         return this.spliced(end, end, fits ? `, ${text}` : `,\n${indent}  ${text}`);
     }
-    /**
-     * The blanks at the beginning of a line.
-     * @param {number} at
-     */
-    indentOf(at) {
+    /** The blanks at the beginning of a line. */
+    indentOf(at: number) {
         const start = this.text.lastIndexOf('\n', at - 1) + 1;
         return /^[ \t]*/.exec(this.text.slice(start))?.[0] ?? '';
     }
-    /**
-     * Removes a member or an element, with its comma.
-     * @param {Path} path
-     */
-    remove(path) {
+    /** Removes a member or an element, with its comma. */
+    remove(path: Path) {
         const parent = this.at(path.slice(0, -1)), last = path[path.length - 1];
         if (!parent) return this;
-        /** @type {{start: number, end: number}[]} */
-        const all = parent.kind === 'array' ? parent.items :
+        const all: {start: number, end: number}[] = parent.kind === 'array' ? parent.items :
             parent.members.map(({start, value}) => ({start, end: value.end}));
         const index = parent.kind === 'array' ? Number(last) : parent.members.findIndex(({key}) => key === last);
         if (index < 0 || index >= all.length) return this;
@@ -270,26 +216,16 @@ export class JsonText {
         if (index + 1 < all.length) return this.spliced(all[index].start, all[index + 1].start, '');
         return this.spliced(all[index - 1].end, all[index].end, '');
     }
-    /**
-     * Gives a member another key.
-     * @param {Path} path
-     * @param {string} key
-     */
-    rename(path, key) {
+    /** Gives a member another key. */
+    rename(path: Path, key: string) {
         const member = this.at(path.slice(0, -1))?.members.find((each) => each.key === path[path.length - 1]);
         return member ? this.spliced(member.start, member.keyEnd, JSON.stringify(key)) : this;
     }
 }
 
-/**
- * The path of a JSON pointer in a text.
- * @param {JsonText} json
- * @param {string} pointer
- * @returns {Path}
- */
-export function pathOf(json, pointer) {
-    /** @type {Path} */
-    const path = [];
+/** The path of a JSON pointer in a text. */
+export function pathOf(json: JsonText, pointer: string): Path {
+    const path: Path = [];
     for (const step of pointer.split('/').slice(1)) {
         const key = step.replaceAll('~1', '/').replaceAll('~0', '~');
         path.push(json.at(path)?.kind === 'array' ? Number(key) : key);

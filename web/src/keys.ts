@@ -1,23 +1,15 @@
 // The keyboard: tools by their letters, a cross that the arrow keys move, Enter picks; the selection moves by the grid.
-import {rounded} from './edit.js';
-import {canDrag, moveTo} from './placing.js';
-import {removeBody, removeJoint, removePoint} from './references.js';
-import {pointNear, snap} from './snap.js';
-import {SelectTool, pointerTo, tools} from './tools.js';
+import type {Bench} from './bench';
+import {rounded, type Spot} from './edit';
+import {canDrag, moveTo} from './placing';
+import {removeBody, removeJoint, removePoint} from './references';
+import {pointNear, snap} from './snap';
+import {SelectTool, pointerTo, tools} from './tools';
 
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {import('./edit.js').Spot} Spot
- */
+const ways: Record<string, Spot> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
-/** @type {Record<string, Spot>} */
-const ways = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
-
-/**
- * Deletes what is selected.
- * @param {Bench} bench
- */
-export function deleteSelected(bench) {
+/** Deletes what is selected. */
+export function deleteSelected(bench: Bench) {
     const selected = bench.selected();
     if (!selected) return;
     const {list, key, path} = selected;
@@ -31,15 +23,8 @@ export function deleteSelected(bench) {
 }
 
 export class Keys {
-    /**
-     * @param {Bench} bench
-     * @param {SVGSVGElement} canvas
-     * @param {Record<string, () => void>} commands by key, with Ctrl
-     */
-    constructor(bench, canvas, commands) {
-        this.bench = bench;
-        this.canvas = canvas;
-        this.commands = commands;
+    /** @param commands by key, with Ctrl */
+    constructor(readonly bench: Bench, readonly canvas: SVGSVGElement, readonly commands: Record<string, () => void>) {
         document.addEventListener('keydown', (event) => {
             document.documentElement.dataset.input = 'keys';
             this.onKey(event);
@@ -47,8 +32,7 @@ export class Keys {
         document.addEventListener('pointerdown', () => (document.documentElement.dataset.input = 'pointer'), true);
         canvas.addEventListener('keydown', (event) => this.onCanvasKey(event));
     }
-    /** @param {KeyboardEvent} event */
-    onKey(event) {
+    onKey(event: KeyboardEvent) {
         const isTyping = event.target instanceof Element && event.target.matches('input, textarea, select');
         if (event.ctrlKey || event.metaKey) {
             const name = (event.shiftKey ? 'shift+' : '') + event.key.toLowerCase();
@@ -69,8 +53,7 @@ export class Keys {
             event.preventDefault();
         }
     }
-    /** @param {KeyboardEvent} event */
-    onCanvasKey(event) {
+    onCanvasKey(event: KeyboardEvent) {
         const {bench} = this, way = ways[event.key];
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (way) this.go(way, event.shiftKey ? 5 : 1);
@@ -83,8 +66,7 @@ export class Keys {
         else return;
         event.preventDefault();
     }
-    /** @param {number} factor */
-    zoom(factor) {
+    zoom(factor: number) {
         const {view} = this.bench;
         view.zoom(factor, [view.width / 2, view.height / 2]);
         this.bench.tell('view');
@@ -96,20 +78,13 @@ export class Keys {
         else bench.take(new SelectTool(bench));
         bench.tell('cursor');
     }
-    /**
-     * Where the cross is: the middle of the canvas before it is moved.
-     * @returns {Spot}
-     */
-    cross() {
+    /** Where the cross is: the middle of the canvas before it is moved. */
+    cross(): Spot {
         const {view, cursor} = this.bench;
         return cursor?.at ?? view.toPlane([view.width / 2, view.height / 2]);
     }
-    /**
-     * Moves the selected point, or the cross.
-     * @param {Spot} way
-     * @param {number} steps
-     */
-    go(way, steps) {
+    /** Moves the selected point, or the cross. */
+    go(way: Spot, steps: number) {
         const {bench} = this, {grid} = bench.view, selected = bench.selected();
         const isSelecting = bench.tool instanceof SelectTool;
         if (isSelecting && selected?.list === 'points' && canDrag(selected.form)) {
@@ -128,22 +103,19 @@ export class Keys {
             return;
         }
         const at = this.cross(),
-            to = /** @type {Spot} */ (at.map((each, i) => rounded((Math.round(each / grid) + way[i] * steps) * grid)));
+            to = at.map((each, i) => rounded((Math.round(each / grid) + way[i] * steps) * grid)) as Spot;
         this.show(to);
         bench.cursor = {...snap(bench.model, bench.spots, bench.view, to, {from: null, onBars: true}), at: to};
         const point = pointNear(bench.model, bench.spots, bench.view, to);
         if (point) bench.cursor.at = bench.spots[point];
         bench.tell('cursor');
     }
-    /**
-     * Keeps the cross on the screen.
-     * @param {Spot} at
-     */
-    show(at) {
+    /** Keeps the cross on the screen. */
+    show(at: Spot) {
         const {view} = this.bench,
             [x, y] = view.toScreen(at),
             edge = 30;
-        const by = (/** @type {number} */ place, /** @type {number} */ size) =>
+        const by = (place: number, size: number) =>
             place < edge ? edge - place : place > size - edge ? size - edge - place : 0;
         view.pan(by(x, view.width), by(y, view.height));
         this.bench.tell('view');

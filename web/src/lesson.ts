@@ -1,14 +1,10 @@
 // The lesson: a four-bar in six steps. Each says what to do and shows where; the next comes when it is done.
-import {byId} from './dom.js';
-import {word} from './words.js';
+import type {Bench} from './bench';
+import {byId} from './dom';
+import {word} from './words';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * What each step points at, and when it is done; `before`: the file's text as the step began.
- * @type {{at: string, isDone: (bench: Bench, before: string) => boolean}[]}
- */
-const steps = [
+/** What each step points at, and when it is done; `before`: the file's text as the step began. */
+const steps: {at: string, isDone: (bench: Bench, before: string) => boolean}[] = [
     {at: '[data-tool=link]', isDone: ({model}) => model.movingBodies.length >= 3},
     {
         at: '[data-tool=ground]',
@@ -21,12 +17,11 @@ const steps = [
 ];
 
 export class Lesson {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        /** −1: none is given; the number of steps: all are done. */
-        this.step = -1;
-        this.before = '';
+    /** −1: none is given; the number of steps: all are done. */
+    step = -1;
+    before = '';
+
+    constructor(readonly bench: Bench) {
         byId('lesson-end').addEventListener('click', () => this.end());
         bench.on(['file', 'mode'], () => this.look());
     }
@@ -42,8 +37,7 @@ export class Lesson {
     look() {
         while (steps[this.step]?.isDone(this.bench, this.before)) this.take(this.step + 1);
     }
-    /** @param {number} step */
-    take(step) {
+    take(step: number) {
         this.step = step;
         this.before = this.bench.document.text;
         for (const each of document.querySelectorAll('.asked')) each.classList.remove('asked');

@@ -5,39 +5,37 @@ const mark = '#m=';
 export const mostBytes = 1 << 20;
 const mostCharacters = 1 << 19;
 
-/** @param {Uint8Array} bytes */
-function base64url(bytes) {
+function base64url(bytes: Uint8Array) {
     let text = '';
     for (let i = 0; i < bytes.length; i += 4096) text += String.fromCharCode(...bytes.subarray(i, i + 4096));
     return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
-/** @param {string} text */
-function bytesOf(text) {
+function bytesOf(text: string) {
     return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (each) => each.charCodeAt(0));
 }
-/**
- * The fragment of a text.
- * @param {string} text
- */
-export async function fragmentOf(text) {
+/** A stream of the browser's by which a link is packed or unpacked; TypeScript 4.8 does not know them. */
+function packing(name: 'CompressionStream' | 'DecompressionStream') {
+    const streams = globalThis as unknown as
+        Record<string, new (format: string) => ReadableWritablePair<Uint8Array, Uint8Array>>;
+    return new streams[name]('deflate-raw');
+}
+/** The fragment of a text. */
+export async function fragmentOf(text: string) {
     const packed = new Blob([text])
         .stream()
-        .pipeThrough(new /** @type {any} */ (globalThis).CompressionStream('deflate-raw'));
+        .pipeThrough(packing('CompressionStream'));
     return mark + base64url(new Uint8Array(await new Response(packed).arrayBuffer()));
 }
-/**
- * The text of a fragment; null: it holds none, or one that is damaged or too large.
- * @param {string} fragment
- */
-export async function textOf(fragment) {
+/** The text of a fragment; null: it holds none, or one that is damaged or too large. */
+export async function textOf(fragment: string) {
     const packed = fragment.slice(mark.length);
     if (!fragment.startsWith(mark) || packed.length > mostCharacters || !/^[\w-]*$/.test(packed)) return null;
     try {
         const stream = new Blob([bytesOf(packed)])
             .stream()
-            .pipeThrough(new /** @type {any} */ (globalThis).DecompressionStream('deflate-raw'));
+            .pipeThrough(packing('DecompressionStream'));
         const reader = stream.getReader(),
-            parts = [];
+            parts: Uint8Array[] = [];
         for (let size = 0; ;) {
             const {done, value} = await reader.read();
             if (done) break;
@@ -53,5 +51,4 @@ export async function textOf(fragment) {
         return null;
     }
 }
-/** @param {string} fragment */
-export const isLink = (fragment) => fragment.startsWith(mark);
+export const isLink = (fragment: string) => fragment.startsWith(mark);

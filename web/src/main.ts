@@ -1,33 +1,29 @@
-// Starts the workbench: puts its parts together.
-import {modeAsked, showCompact} from './address.js';
-import {Bench} from './bench.js';
-import {Canvas} from './canvas.js';
-import {byId} from './dom.js';
-import {take} from './downloads.js';
-import {openEngine} from './engine.js';
-import {Entry} from './entry.js';
-import {Figures} from './figures.js';
-import {Files} from './files.js';
-import {Gallery} from './gallery.js';
-import {Inspector} from './inspector.js';
-import {Keys} from './keys.js';
-import {Lesson} from './lesson.js';
-import {Menus} from './menus.js';
-import {Modes} from './modes.js';
-import {Pointer} from './pointer.js';
-import {preview} from './preview.js';
-import {Status} from './status.js';
-import {TextView} from './text_view.js';
-import {Toolbar} from './toolbar.js';
-import {SelectTool} from './tools.js';
-import {dress, setWords} from './words.js';
+// Puts the parts of the workbench together.
+import {modeAsked, showCompact} from './address';
+import {Bench} from './bench';
+import {Canvas} from './canvas';
+import {byId} from './dom';
+import {take} from './downloads';
+import type {Engine} from './engine';
+import {Entry} from './entry';
+import {Figures} from './figures';
+import {Files} from './files';
+import {Gallery} from './gallery';
+import {Inspector} from './inspector';
+import {Keys} from './keys';
+import {Lesson} from './lesson';
+import {Menus} from './menus';
+import {Modes} from './modes';
+import {Pointer} from './pointer';
+import {preview} from './preview';
+import {Status} from './status';
+import {TextView} from './text_view';
+import {Toolbar} from './toolbar';
+import {SelectTool} from './tools';
+import {dress, setWords} from './words';
 
-/**
- * The canvas is drawn once a frame, however much has changed.
- * @param {Bench} bench
- * @param {SVGSVGElement} root
- */
-function drawWhenChanged(bench, root) {
+/** The canvas is drawn once a frame, however much has changed. */
+function drawWhenChanged(bench: Bench, root: SVGSVGElement) {
     const canvas = new Canvas(root, bench.view);
     let asked = false, drawn = false;
     const draw = () => {
@@ -44,7 +40,7 @@ function drawWhenChanged(bench, root) {
         drawn = true;
         canvas.over(...preview(bench));
     };
-    const ask = (/** @type {boolean} */ whole) => {
+    const ask = (whole: boolean) => {
         drawn = drawn && !whole;
         if (!asked) requestAnimationFrame(draw);
         asked = true;
@@ -62,8 +58,9 @@ function drawWhenChanged(bench, root) {
     }).observe(root);
 }
 
-async function start() {
-    const engine = await openEngine(), bench = new Bench(engine), root = byId('canvas');
+/** Puts the workbench over its engine, into index.html. */
+export async function start(engine: Engine) {
+    const bench = new Bench(engine), root = byId<SVGSVGElement>('canvas');
     const dark = matchMedia('(prefers-color-scheme: dark)'), {inquiry} = bench;
     inquiry.language = document.documentElement.lang;
     inquiry.theme = dark.matches ? 'dark' : 'colour';
@@ -89,8 +86,7 @@ async function start() {
         z: () => bench.document.undo(), y: () => bench.document.redo(), 'shift+z': () => bench.document.redo(),
         s: () => void files.save(), o: () => files.pick(),
     });
-    /** @type {Record<string, () => void>} */
-    const acts = {
+    const acts: Record<string, () => void> = {
         undo: () => bench.document.undo(),
         redo: () => bench.document.redo(),
         open: () => files.pick(),
@@ -111,7 +107,7 @@ async function start() {
     for (const [id, act] of Object.entries(acts)) byId(id).addEventListener('click', act);
     for (const each of document.querySelectorAll('[data-take]'))
         each.addEventListener('click', () => {
-            const {take: kind = ''} = /** @type {HTMLElement} */ (each).dataset;
+            const {take: kind = ''} = (each as HTMLElement).dataset;
             void take(bench, kind, (text) => files.say(text));
         });
     drawWhenChanged(bench, root);
@@ -121,13 +117,7 @@ async function start() {
     document.documentElement.dataset.ready = 'true';
     Object.assign(window, {workbench: bench});
 }
-/**
- * @param {Bench} bench
- * @param {number} factor
- */
-function zoom(bench, factor) {
+function zoom(bench: Bench, factor: number) {
     bench.view.zoom(factor, [bench.view.width / 2, bench.view.height / 2]);
     bench.tell('view');
 }
-
-void start();

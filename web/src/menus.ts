@@ -1,21 +1,21 @@
 // The menu of what can be taken away, and the tabs of the panel.
-import {byId} from './dom.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import type {Bench} from './bench';
+import {byId} from './dom';
 
 export class Menus {
-    /** @param {Bench} bench */
-    constructor(bench) {
+    readonly tabs: HTMLButtonElement[];
+
+    constructor(bench: Bench) {
         const more = byId('more'), menu = byId('menu');
-        const show = (/** @type {boolean} */ isOpen) => {
+        const show = (isOpen: boolean) => {
             menu.hidden = !isOpen;
             more.setAttribute('aria-expanded', String(isOpen));
         };
         more.addEventListener('click', () => show(menu.hidden));
         menu.addEventListener('click', () => show(false));
         // On a phone the buttons of the bar stand in the menu.
-        for (const each of menu.querySelectorAll('[data-press]'))
-            each.addEventListener('click', () => byId(each.dataset.press).click());
+        for (const each of menu.querySelectorAll<HTMLElement>('[data-press]'))
+            each.addEventListener('click', () => byId(each.dataset.press ?? '').click());
         document.addEventListener('pointerdown', (event) => {
             if (event.target instanceof Node && !menu.contains(event.target) && !more.contains(event.target))
                 show(false);
@@ -25,7 +25,6 @@ export class Menus {
             show(false);
             more.focus();
         });
-        /** @type {HTMLButtonElement[]} */
         this.tabs = [...byId('tabs').querySelectorAll('button')];
         for (const each of this.tabs) {
             each.addEventListener('click', () => this.choose(each));
@@ -43,8 +42,7 @@ export class Menus {
                 this.choose(byId('tab-properties'));
         });
     }
-    /** @param {HTMLButtonElement} chosen */
-    choose(chosen) {
+    choose(chosen: HTMLButtonElement) {
         for (const each of this.tabs) {
             const isChosen = each === chosen;
             each.setAttribute('aria-selected', String(isChosen));

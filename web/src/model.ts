@@ -1,119 +1,114 @@
 // What the text says, as lists that are drawn and edited. It takes any JSON: what is not as it should be is left
 // out, and the engine says so.
-import {plain} from './json_text.js';
+import {type Json, type JsonText, type Path, plain} from './json_text';
 
-/**
- * @typedef {import('./json_text.js').JsonText} JsonText
- * @typedef {import('./json_text.js').Path} Path
- * @typedef {{name: string, form: any, path: Path}} PointItem
- * @typedef {{name: string, points: string[], listPath: Path, path: Path, colour: string,
- *     circle: {centre: string} | null, isFrame: boolean}} BodyItem
- *     colour: "#rrggbb", or '': the theme's
- * @typedef {{kind: string, point: string, bodies: string[], name: string, form: any, path: Path,
- *     pointer: string}} JointItem
- * @typedef {{form: any, path: Path, pointer: string}} ListItem
- * @typedef {{body: string, form: any, path: Path}} MassItem
- */
+export interface PointItem {
+    name: string;
+    form: Json;
+    path: Path;
+}
+export interface BodyItem {
+    name: string;
+    points: string[];
+    listPath: Path;
+    path: Path;
+    /** "#rrggbb", or '': the theme's. */
+    colour: string;
+    circle: {centre: string} | null;
+    isFrame: boolean;
+}
+export interface JointItem {
+    kind: string;
+    point: string;
+    bodies: string[];
+    name: string;
+    form: Json;
+    path: Path;
+    pointer: string;
+}
+export interface ListItem {
+    form: Json;
+    path: Path;
+    pointer: string;
+}
+export interface MassItem {
+    body: string;
+    form: Json;
+    path: Path;
+}
 
 export const jointKinds = ['revolute', 'prismatic', 'pin-slot', 'rolling', 'contact', 'gear', 'weld'];
 
-/** @param {any} value */
-const nameOf = (value) => (typeof value === 'string' || typeof value === 'number' ? String(value) : '');
-/**
- * @param {any} value
- * @returns {any[]}
- */
-const listOf = (value) => (Array.isArray(value) ? value : []);
-/**
- * @param {any} value
- * @returns {[string, any][]}
- */
-const entriesOf = (value) => (value && typeof value === 'object' && !Array.isArray(value) ? Object.entries(value) : []);
-/** @param {string} name */
-const step = (name) => name.replaceAll('~', '~0').replaceAll('/', '~1');
+const nameOf = (value: Json) => (typeof value === 'string' || typeof value === 'number' ? String(value) : '');
+const listOf = (value: Json): Json[] => (Array.isArray(value) ? value : []);
+const entriesOf = (value: Json): [string, Json][] =>
+    (value && typeof value === 'object' && !Array.isArray(value) ? Object.entries(value) : []);
+const step = (name: string) => name.replaceAll('~', '~0').replaceAll('/', '~1');
 
 export class Model {
-    /** @param {JsonText | null} json */
-    constructor(json) {
-        this.json = json;
+    readonly file: Json;
+    readonly frame: string;
+    readonly unit: string;
+    readonly points: PointItem[];
+    readonly bodies: BodyItem[];
+    readonly joints: JointItem[];
+    readonly drivers: ListItem[];
+    readonly loads: ListItem[];
+    readonly masses: MassItem[];
+    readonly hasJoints: boolean;
+
+    constructor(readonly json: JsonText | null) {
         const file = json ? plain(json.root) : {};
         this.file = file;
         this.frame = nameOf(file.frame) || '0';
         this.unit = nameOf(file.units?.length) || 'm';
-        /** @type {PointItem[]} */
         this.points = json?.at(['points'])?.members.map(({key, value}) =>
             ({name: key, form: plain(value), path: ['points', key]})) ?? [];
-        /** @type {BodyItem[]} */
         this.bodies = json?.at(['bodies'])?.members.map(({key, value}) => this.body(key, plain(value))) ?? [];
-        /** @type {JointItem[]} */
         this.joints = listOf(file.joints).map((form, i) => this.joint(form ?? {}, i)).filter(({kind}) => kind !== '');
         this.drivers = this.list('drivers');
         this.loads = this.list('loads');
-        /** @type {MassItem[]} */
         this.masses = entriesOf(file.masses).map(([body, form]) => ({body, form: form ?? {}, path: ['masses', body]}));
         this.hasJoints = Boolean(json?.at(['joints']));
     }
-    /**
-     * @param {string} name
-     * @param {any} form
-     * @returns {BodyItem}
-     */
-    body(name, form) {
+    body(name: string, form: Json): BodyItem {
         const isList = Array.isArray(form), centre = nameOf(form?.circle?.centre), given = nameOf(form?.colour);
         const colour = /^#[0-9a-f]{6}$/i.test(given) ? given.toLowerCase() : '';
         return {name, points: listOf(isList ? form : form?.points).map(nameOf), path: ['bodies', name],
             listPath: isList ? ['bodies', name] : ['bodies', name, 'points'], circle: centre ? {centre} : null,
             colour, isFrame: name === this.frame};
     }
-    /**
-     * @param {any} form
-     * @param {number} i
-     * @returns {JointItem}
-     */
-    joint(form, i) {
+    joint(form: Json, i: number): JointItem {
         const kind = jointKinds.find((each) => each in form) ?? '';
         return {kind, point: nameOf(form[kind]), bodies: listOf(form.bodies).map(nameOf), form, path: ['joints', i],
             name: nameOf(form.name) || nameOf(form[kind]), pointer: `/joints/${i}`};
     }
-    /**
-     * @param {string} key
-     * @returns {ListItem[]}
-     */
-    list(key) {
+    list(key: string): ListItem[] {
         return listOf(this.file[key]).map((form, i) => ({form: form ?? {}, path: [key, i], pointer: `/${key}/${i}`}));
     }
     /**
      * The centre of the disc that a body shows at a joint; '': none.
-     * @param {any} form of the joint
-     * @param {string} body
+     * @param form of the joint
      */
-    centreOf(form, body) {
+    centreOf(form: Json, body: string) {
         return nameOf(form.profiles?.[body]?.circle) || this.bodyNamed(body)?.circle?.centre || '';
     }
-    /** @param {string} name */
-    point(name) {
+    point(name: string) {
         return this.points.find((each) => each.name === name);
     }
-    /** @param {string} name */
-    bodyNamed(name) {
+    bodyNamed(name: string) {
         return this.bodies.find((each) => each.name === name);
     }
-    /**
-     * The bodies that carry a point, the frame among them.
-     * @param {string} point
-     */
-    bodiesAt(point) {
+    /** The bodies that carry a point, the frame among them. */
+    bodiesAt(point: string) {
         const names = this.bodies.filter((each) => each.points.includes(point)).map(({name}) => name);
         for (const joint of this.joints)
             if (joint.point === point && (joint.kind === 'revolute' || joint.kind === 'weld'))
                 names.push(...joint.bodies.filter((each) => !names.includes(each)));
         return [...new Set(names)];
     }
-    /**
-     * The points of a body, with those of its hinges.
-     * @param {string} name
-     */
-    pointsOf(name) {
+    /** The points of a body, with those of its hinges. */
+    pointsOf(name: string) {
         const points = [...this.bodyNamed(name)?.points ?? []];
         for (const joint of this.joints)
             if (
@@ -124,26 +119,18 @@ export class Model {
                 points.push(joint.point);
         return points;
     }
-    /** @param {string} point */
-    hingeAt(point) {
+    hingeAt(point: string) {
         return this.joints.find((each) => each.kind === 'revolute' && each.point === point);
     }
-    /**
-     * Whether a point is fixed to the frame.
-     * @param {string} point
-     */
-    isGround(point) {
+    /** Whether a point is fixed to the frame. */
+    isGround(point: string) {
         return this.bodiesAt(point).includes(this.frame);
     }
     get movingBodies() {
         return this.bodies.filter(({isFrame}) => !isFrame);
     }
-    /**
-     * The points by which a point is placed.
-     * @param {any} form
-     * @returns {string[]}
-     */
-    static reads(form) {
+    /** The points by which a point is placed. */
+    static reads(form: Json): string[] {
         if (!form || typeof form !== 'object' || Array.isArray(form)) return [];
         const names = [form.from, form.to, ...listOf(form['relative to'])];
         for (const curve of listOf(form.meet)) {
@@ -153,23 +140,14 @@ export class Model {
         }
         return names.filter((each) => typeof each === 'string');
     }
-    /**
-     * Whether the place of a point depends on another.
-     * @param {string} point
-     * @param {string} other
-     * @param {Set<string>} [seen]
-     * @returns {boolean}
-     */
-    dependsOn(point, other, seen = new Set()) {
+    /** Whether the place of a point depends on another. */
+    dependsOn(point: string, other: string, seen: Set<string> = new Set()): boolean {
         if (point === other) return true;
         if (seen.has(point)) return false;
         seen.add(point);
         return Model.reads(this.point(point)?.form).some((each) => this.dependsOn(each, other, seen));
     }
-    /**
-     * A name that is free: A, B, C …
-     * @param {string} [first]
-     */
+    /** A name that is free: A, B, C … */
     freePointName(first = 'A') {
         const taken = new Set(this.points.map(({name}) => name));
         const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
@@ -193,11 +171,8 @@ export class Model {
             if (name !== this.frame && !this.bodyNamed(name)) return name;
         }
     }
-    /**
-     * A name for a load: F1, F2 …
-     * @param {string} letter
-     */
-    freeLoadName(letter) {
+    /** A name for a load: F1, F2 … */
+    freeLoadName(letter: string) {
         const taken = new Set(
             this.loads.map(
                 ({form}) => nameOf(form.force) || nameOf(form.couple) || nameOf(form.spring) || nameOf(form.distributed)
@@ -205,11 +180,8 @@ export class Model {
         );
         for (let i = 1; ; ++i) if (!taken.has(`${letter}${i}`)) return `${letter}${i}`;
     }
-    /**
-     * The pointer of a path.
-     * @param {Path} path
-     */
-    static pointer(path) {
+    /** The pointer of a path. */
+    static pointer(path: Path) {
         return path.map((each) => `/${step(String(each))}`).join('');
     }
 }

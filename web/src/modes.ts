@@ -1,38 +1,31 @@
 // The modes: Build, and the views of the solution; Move, Steps and Try it are the live page in a frame, Sheet its
 // pages.
-import {byId, html} from './dom.js';
-import {picture} from './figures.js';
-import {word} from './words.js';
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {picture} from './figures';
+import {word} from './words';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * The tab of the live page that a mode shows.
- * @type {Record<string, string>}
- */
-const tabs = {move: 'mode-move', steps: 'mode-steps', try: 'try'};
+/** The tab of the live page that a mode shows. */
+const tabs: Record<string, string> = {move: 'mode-move', steps: 'mode-steps', try: 'try'};
 
 export class Modes {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        this.text = '';
-        this.kind = '';
-        /** @type {HTMLIFrameElement | null} */
-        this.liveFrame = null;
-        /** @type {HTMLButtonElement[]} */
+    text = '';
+    kind = '';
+    liveFrame: HTMLIFrameElement | null = null;
+    readonly buttons: HTMLButtonElement[];
+
+    constructor(readonly bench: Bench) {
         this.buttons = [...byId('modes').querySelectorAll('button')];
         this.buttons.forEach((each) =>
             each.addEventListener('click', () => bench.setMode(each.dataset.mode ?? 'build'))
         );
-        byId('modes').addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => this.onKey(event));
+        byId('modes').addEventListener('keydown', (event: KeyboardEvent) => this.onKey(event));
         bench.on(['mode'], () => void this.show());
     }
     names() {
         return this.buttons.map((each) => each.dataset.mode ?? '');
     }
-    /** @param {KeyboardEvent} event */
-    onKey(event) {
+    onKey(event: KeyboardEvent) {
         const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0, {length} = this.buttons;
         if (by === 0) return;
         const next =
@@ -60,12 +53,7 @@ export class Modes {
         if (key !== this.kind || text !== this.text) await this.load(kind, key, text);
         if (kind === 'live') this.showTab(mode);
     }
-    /**
-     * @param {'sheet' | 'live'} kind
-     * @param {string} key
-     * @param {string} text
-     */
-    async load(kind, key, text) {
+    async load(kind: 'sheet' | 'live', key: string, text: string) {
         const room = byId('shown');
         room.replaceChildren(html('p', {class: 'empty', role: 'status'}, word('working')));
         const answer = await this.bench.inquiry.other([kind], [], kind === 'live' ? {theme: 'colour'} : {});
@@ -88,11 +76,8 @@ export class Modes {
             );
         }
     }
-    /**
-     * The live page in a frame, without its own bar of modes.
-     * @param {string} page
-     */
-    async frame(page) {
+    /** The live page in a frame, without its own bar of modes. */
+    async frame(page: string) {
         const frame = html('iframe', {srcdoc: page, title: word('live_page')});
         byId('shown').replaceChildren(frame);
         await new Promise((resolve) => frame.addEventListener('load', resolve, {once: true}));
@@ -104,8 +89,7 @@ export class Modes {
         const hall = inside?.getElementById('hall');
         if (hall) hall.style.marginLeft = 'auto';
     }
-    /** @param {string} mode */
-    showTab(mode) {
+    showTab(mode: string) {
         const inside = this.liveFrame?.contentDocument, tab = inside?.getElementById(tabs[mode]);
         tab?.click();
     }

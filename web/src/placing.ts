@@ -1,61 +1,32 @@
 // How a point is placed: lengths and angles that are typed become the forms of the file (from, meet), on the same
 // side as drawn.
-import {Literal} from './json_text.js';
-import {rounded, roundedSpot} from './edit.js';
+import {type Edit, rounded, roundedSpot, type Spot} from './edit';
+import {type Json, Literal} from './json_text';
 
-/**
- * @typedef {import('./edit.js').Edit} Edit
- * @typedef {import('./edit.js').Spot} Spot
- */
+export const distance = (from: Spot, to: Spot) => Math.hypot(to[0] - from[0], to[1] - from[1]);
+/** Degrees from +x. */
+export const angle = (from: Spot, to: Spot) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
+/** Whether q lies to the left of the way from a to b. */
+const isLeft = (a: Spot, b: Spot, q: Spot) => (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]) >= 0;
 
-/**
- * @param {Spot} from
- * @param {Spot} to
- */
-export const distance = (from, to) => Math.hypot(to[0] - from[0], to[1] - from[1]);
-/**
- * Degrees from +x.
- * @param {Spot} from
- * @param {Spot} to
- */
-export const angle = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
-/**
- * Whether q lies to the left of the way from a to b.
- * @param {Spot} a
- * @param {Spot} b
- * @param {Spot} q
- */
-const isLeft = (a, b, q) => (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]) >= 0;
+const isPolar = (form: Json) => form && !Array.isArray(form) && form.from && 'distance' in form && !form.to;
+const isMeet = (form: Json) => form && Array.isArray(form.meet);
 
-/** @param {any} form */
-const isPolar = (form) => form && !Array.isArray(form) && form.from && 'distance' in form && !form.to;
-/** @param {any} form */
-const isMeet = (form) => form && Array.isArray(form.meet);
-
-/**
- * Which end moves when the distance of two points is set; '' where neither can.
- * @param {Edit} edit
- * @param {string} p
- * @param {string} q
- */
-export function movingEnd(edit, p, q) {
+/** Which end moves when the distance of two points is set; '' where neither can. */
+export function movingEnd(edit: Edit, p: string, q: string) {
     const {model} = edit;
-    const canMove = (/** @type {string} */ point, /** @type {string} */ other) =>
+    const canMove = (point: string, other: string) =>
         !model.dependsOn(other, point) && freedomOf(model.point(point)?.form, other) > 0;
-    const index = (/** @type {string} */ name) => model.points.findIndex((each) => each.name === name);
+    const index = (name: string) => model.points.findIndex((each) => each.name === name);
     const order = [[q, p], [p, q]].sort(([a], [b]) =>
         Number(model.isGround(a)) - Number(model.isGround(b)) || index(b) - index(a));
     return order.find(([point, other]) => canMove(point, other))?.[0] ?? '';
 }
-/**
- * How much of a point's place may still be chosen, if its distance from `other` is.
- * @param {any} form
- * @param {string} other
- */
-function freedomOf(form, other) {
+/** How much of a point's place may still be chosen, if its distance from `other` is. */
+function freedomOf(form: Json, other: string) {
     if (Array.isArray(form)) return 2;
     if (isPolar(form)) return form['relative to'] && form.from !== other ? 0 : 1;
-    if (isMeet(form)) return form.meet.some((/** @type {any} */ each) => each?.circle === other) ? 1 : 0;
+    if (isMeet(form)) return form.meet.some((each: Json) => each?.circle === other) ? 1 : 0;
     return form?.from === other && 'distance' in form ? 1 : 0;
 }
 
@@ -63,12 +34,8 @@ function freedomOf(form, other) {
  * Sets the distance of two points. The point that moves keeps what the file says of it besides: another distance
  * makes it
  * the meet of two circles, a guide on which it slides the meet of a circle and a line. False where neither can move.
- * @param {Edit} edit
- * @param {string} p
- * @param {string} q
- * @param {any} length
  */
-export function setDistance(edit, p, q, length) {
+export function setDistance(edit: Edit, p: string, q: string, length: Json) {
     const moving = movingEnd(edit, p, q), other = moving === p ? q : p;
     if (moving === '') return false;
     const path = ['points', moving],
@@ -77,7 +44,7 @@ export function setDistance(edit, p, q, length) {
         from = edit.spots[other];
     if (!at || !from) return false;
     if (isMeet(form)) {
-        const i = form.meet.findIndex((/** @type {any} */ each) => each?.circle === other);
+        const i = form.meet.findIndex((each: Json) => each?.circle === other);
         edit.set([...path, 'meet', i, 'radius'], length);
     } else if (isPolar(form) && form.from !== other) {
         const first = {circle: form.from, radius: keep(edit, [...path, 'distance'])},
@@ -104,46 +71,27 @@ export function setDistance(edit, p, q, length) {
     }
     return true;
 }
-/** @param {any} along */
-const isOfPoints = (along) => Array.isArray(along);
+const isOfPoints = (along: Json) => Array.isArray(along);
 
-/**
- * Sets the direction from one point to another; it becomes one at a distance and an angle.
- * @param {Edit} edit
- * @param {string} p
- * @param {string} q
- * @param {any} degrees
- */
-export function setAngle(edit, p, q, degrees) {
+/** Sets the direction from one point to another; it becomes one at a distance and an angle. */
+export function setAngle(edit: Edit, p: string, q: string, degrees: Json) {
     const path = ['points', q], form = edit.model.point(q)?.form;
     if (isPolar(form) && form.from === p && !form['relative to']) return edit.set([...path, 'angle'], degrees);
     edit.set(path, {from: p, distance: rounded(distance(edit.spots[p], edit.spots[q])), angle: degrees});
 }
-/**
- * The value of a path as it stands, with its digits.
- * @param {Edit} edit
- * @param {(string | number)[]} path
- */
-function keep(edit, path) {
+/** The value of a path as it stands, with its digits. */
+function keep(edit: Edit, path: (string | number)[]) {
     return new Literal(edit.json.rawAt(path) ?? '0');
 }
 
-/**
- * Whether a point can be dragged: its place follows from no other point alone.
- * @param {any} form
- */
-export function canDrag(form) {
+/** Whether a point can be dragged: its place follows from no other point alone. */
+export function canDrag(form: Json) {
     if (Array.isArray(form)) return form.every((each) => typeof each === 'number');
     return isPolar(form) && !form['relative to'] && typeof form.angle === 'number' && typeof form.distance === 'number';
 }
 
-/**
- * Moves a point, within what the file says of it: a point at a distance turns about the other.
- * @param {Edit} edit
- * @param {string} point
- * @param {Spot} to
- */
-export function moveTo(edit, point, to) {
+/** Moves a point, within what the file says of it: a point at a distance turns about the other. */
+export function moveTo(edit: Edit, point: string, to: Spot) {
     const form = edit.model.point(point)?.form, path = ['points', point];
     if (!canDrag(form)) return;
     if (Array.isArray(form)) {
@@ -162,23 +110,14 @@ export function moveTo(edit, point, to) {
 }
 
 /** The forms in which a point may be placed. */
-export const forms = /** @type {const} */ (['coordinates', 'polar', 'online', 'meet']);
-/**
- * @param {any} form
- * @returns {string}
- */
-export function formOf(form) {
+export const forms = ['coordinates', 'polar', 'online', 'meet'] as const;
+export function formOf(form: Json): string {
     if (Array.isArray(form)) return 'coordinates';
     if (isMeet(form)) return 'meet';
     return form?.to ? 'online' : 'polar';
 }
-/**
- * Places a point where it is, in another form.
- * @param {Edit} edit
- * @param {string} point
- * @param {string} wanted
- */
-export function placeBy(edit, point, wanted) {
+/** Places a point where it is, in another form. */
+export function placeBy(edit: Edit, point: string, wanted: string) {
     const at = edit.spots[point], path = ['points', point], others = edit.model.points.map(({name}) => name)
         .filter((each) => edit.spots[each] && !edit.model.dependsOn(each, point));
     if (!at) return;

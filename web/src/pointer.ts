@@ -1,32 +1,20 @@
 // Mouse, pen and touch on the canvas: picks for the tool in hand, dragging, panning, zooming.
-import {canDrag, moveTo} from './placing.js';
-import {pointNear, snap} from './snap.js';
-import {LinkTool, LoadTool, SelectTool, SliderTool, pointerTo} from './tools.js';
-
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {import('./edit.js').Spot} Spot
- */
+import type {Bench} from './bench';
+import type {Spot} from './edit';
+import {canDrag, moveTo} from './placing';
+import {pointNear, snap, type Target} from './snap';
+import {LinkTool, LoadTool, SelectTool, SliderTool, pointerTo} from './tools';
 
 /** Pixels: what moves less was a click. */
 const still = 10;
 
 export class Pointer {
-    /**
-     * @param {Bench} bench
-     * @param {SVGSVGElement} root
-     */
-    constructor(bench, root) {
-        this.bench = bench;
-        this.root = root;
-        /**
-         * Fingers that are down.
-         * @type {Map<number, Spot>}
-         */
-        this.down = new Map();
-        /** @type {{at: Spot, drags: string, pans: boolean, picks: boolean} | null} */
-        this.pressed = null;
-        this.hasMoved = false;
+    /** Fingers that are down. */
+    down: Map<number, Spot> = new Map();
+    pressed: {at: Spot, drags: string, pans: boolean, picks: boolean} | null = null;
+    hasMoved = false;
+
+    constructor(readonly bench: Bench, readonly root: SVGSVGElement) {
         root.addEventListener('pointerdown', (event) => this.press(event));
         root.addEventListener('pointermove', (event) => this.move(event));
         root.addEventListener('pointerup', (event) => this.release(event));
@@ -39,19 +27,11 @@ export class Pointer {
             bench.tell('cursor');
         });
     }
-    /**
-     * @param {MouseEvent} event
-     * @returns {Spot}
-     */
-    at(event) {
+    at(event: MouseEvent): Spot {
         const box = this.root.getBoundingClientRect();
         return [event.clientX - box.left, event.clientY - box.top];
     }
-    /**
-     * @param {Spot} at
-     * @param {boolean} isFree
-     */
-    target(at, isFree) {
+    target(at: Spot, isFree: boolean) {
         const {bench} = this;
         return snap(bench.model, bench.spots, bench.view, bench.view.toPlane(at), {
             from: bench.tool?.from() ?? null,
@@ -59,13 +39,11 @@ export class Pointer {
             onBars: !(bench.tool instanceof SliderTool)
         });
     }
-    /** @param {import('./snap.js').Target | null} target */
-    setCursor(target) {
+    setCursor(target: Target | null) {
         this.bench.cursor = target;
         this.bench.tell('cursor');
     }
-    /** @param {PointerEvent} event */
-    press(event) {
+    press(event: PointerEvent) {
         const at = this.at(event), {bench} = this;
         // What is being typed elsewhere is taken first.
         this.root.focus({preventScroll: true});
@@ -87,11 +65,7 @@ export class Pointer {
         this.pressed.picks = event.pointerType === 'touch';
         if (!this.pressed.picks) bench.tool.pick(target);
     }
-    /**
-     * @param {PointerEvent} event
-     * @param {Spot} at
-     */
-    select(event, at) {
+    select(event: PointerEvent, at: Spot) {
         const {bench} = this,
             point = pointNear(bench.model, bench.spots, bench.view, bench.view.toPlane(at));
         const hit = document
@@ -105,12 +79,11 @@ export class Pointer {
         if (isOfPoint && canDrag(bench.model.point(point)?.form)) this.pressed.drags = point;
         else this.pressed.pans = bench.selection === null;
     }
-    /** @param {PointerEvent} event */
-    move(event) {
+    move(event: PointerEvent) {
         const at = this.at(event), {bench} = this, before = this.down.get(event.pointerId);
         if (this.down.size > 1 && before) {
             const [other] = [...this.down].filter(([id]) => id !== event.pointerId).map(([, each]) => each);
-            const gap = (/** @type {Spot} */ each) => Math.hypot(each[0] - other[0], each[1] - other[1]) || 1;
+            const gap = (each: Spot) => Math.hypot(each[0] - other[0], each[1] - other[1]) || 1;
             bench.view.pan((at[0] - before[0]) / 2, (at[1] - before[1]) / 2);
             bench.view.zoom(gap(at) / gap(before), other);
             this.down.set(event.pointerId, at);
@@ -134,8 +107,7 @@ export class Pointer {
         }
         if (bench.tool && !(bench.tool instanceof SelectTool)) this.setCursor(this.target(at, event.altKey));
     }
-    /** @param {PointerEvent} event */
-    release(event) {
+    release(event: PointerEvent) {
         const at = this.at(event), {pressed, bench} = this;
         this.stop(event);
         if (!pressed) return;
@@ -152,13 +124,11 @@ export class Pointer {
         }
         this.setCursor(this.target(at, event.altKey));
     }
-    /** @param {PointerEvent} event */
-    stop(event) {
+    stop(event: PointerEvent) {
         this.down.delete(event.pointerId);
         this.pressed = null;
     }
-    /** @param {WheelEvent} event */
-    wheel(event) {
+    wheel(event: WheelEvent) {
         event.preventDefault();
         const {view} = this.bench;
         if (event.shiftKey) view.pan(-event.deltaY - event.deltaX, 0);

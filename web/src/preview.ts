@@ -1,17 +1,12 @@
 // What a tool is about to draw, and what the pointer has caught: a point, a bar, the grid, a whole angle.
-import {svg} from './dom.js';
-import {rounded} from './edit.js';
-import {angle, distance} from './placing.js';
-import {LoadTool, SelectTool, SliderTool} from './tools.js';
-import * as symbols from './symbols.js';
+import type {Bench} from './bench';
+import {svg} from './dom';
+import {rounded} from './edit';
+import {angle, distance} from './placing';
+import {LoadTool, SelectTool, SliderTool} from './tools';
+import * as symbols from './symbols';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * @param {Bench} bench
- * @returns {Element[]}
- */
-export function preview(bench) {
+export function preview(bench: Bench): Element[] {
     const {tool, cursor, view} = bench;
     const byKeys = document.documentElement.dataset.input === 'keys';
     if (!tool || !cursor || (tool instanceof SelectTool && !byKeys)) return [];
@@ -34,11 +29,7 @@ export function preview(bench) {
         svg('path', {class: 'cross', d: `M${at[0] - 9} ${at[1]}h18M${at[0]} ${at[1] - 9}v18`}));
     return marks;
 }
-/**
- * @param {string} says
- * @param {[number, number]} at
- */
-function tag(says, [x, y]) {
+function tag(says: string, [x, y]: [number, number]) {
     const width = says.length * 7.6 + 16;
     return [svg('rect', {class: 'tag-ground', x: x + 14, y: y - 38, width, height: 24, rx: 5}),
         svg('text', {class: 'tag-text', x: x + 14 + width / 2, y: y - 21}, says)];

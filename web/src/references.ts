@@ -1,12 +1,7 @@
 // Who names whom in a file: renaming changes every name, deleting takes away what cannot stand alone.
-import {bodyValue, roundedSpot} from './edit.js';
-import {Model} from './model.js';
-
-/**
- * @typedef {import('./edit.js').Edit} Edit
- * @typedef {import('./json_text.js').Path} Path
- * @typedef {import('./json_text.js').Node} Node
- */
+import {bodyValue, type Edit, roundedSpot} from './edit';
+import type {Json, Node, Path} from './json_text';
+import {Model} from './model';
 
 /** Under these keys stands the name of a point, or an array or pair of them. */
 const ofPoints = new Set([
@@ -37,24 +32,14 @@ const ofPoints = new Set([
 ]);
 const ofBodies = new Set(['body', 'bodies', 'arm', 'observer']);
 
-/**
- * Every place where a point (or a body) of this name is meant.
- * @param {Edit} edit
- * @param {'point' | 'body'} kind
- * @param {string} name
- */
-export function places(edit, kind, name) {
-    /** @type {Path[]} */
-    const found = [],
+/** Every place where a point (or a body) of this name is meant. */
+export function places(edit: Edit, kind: 'point' | 'body', name: string) {
+    const found: Path[] = [],
         keys = kind === 'point' ? ofPoints : ofBodies;
-    const isName = (/** @type {Node} */ node) =>
+    const isName = (node: Node) =>
         (node.kind === 'string' || (kind === 'body' && node.kind === 'number')) && String(node.value) === name;
-    /**
-     * @param {Node} node
-     * @param {Path} path
-     * @param {boolean} meant whether a name here is one of these
-     */
-    const walk = (node, path, meant) => {
+    /** @param meant whether a name here is one of these */
+    const walk = (node: Node, path: Path, meant: boolean) => {
         if (isName(node)) {
             if (meant) found.push(path);
             return;
@@ -79,24 +64,13 @@ export function places(edit, kind, name) {
     return found;
 }
 
-/**
- * Whether a name can be given; the engine says more.
- * @param {Edit} edit
- * @param {'point' | 'body'} kind
- * @param {string} name
- */
-export function isFree(edit, kind, name) {
+/** Whether a name can be given; the engine says more. */
+export function isFree(edit: Edit, kind: 'point' | 'body', name: string) {
     const taken = kind === 'point' ? edit.model.points : edit.model.bodies;
     return name !== '' && !/[,\p{Cc}]| on /u.test(name) && !taken.some((each) => each.name === name) &&
         !(kind === 'body' && name === edit.model.frame);
 }
-/**
- * @param {Edit} edit
- * @param {'point' | 'body'} kind
- * @param {string} from
- * @param {string} to
- */
-export function rename(edit, kind, from, to) {
+export function rename(edit: Edit, kind: 'point' | 'body', from: string, to: string) {
     if (!isFree(edit, kind, to)) return false;
     // From the end, so that what was found keeps its place.
     for (const path of places(edit, kind, from).reverse()) {
@@ -116,13 +90,8 @@ export function rename(edit, kind, from, to) {
     return true;
 }
 
-/**
- * Takes elements of a list away, the last first.
- * @param {Edit} edit
- * @param {string} key
- * @param {(form: any) => boolean} goes
- */
-function removeFrom(edit, key, goes) {
+/** Takes elements of a list away, the last first. */
+function removeFrom(edit: Edit, key: string, goes: (form: Json) => boolean) {
     const list = edit.model.file[key];
     if (!Array.isArray(list)) {
         if (list && key === 'effort' && goes(list)) edit.remove([key]);
@@ -130,13 +99,8 @@ function removeFrom(edit, key, goes) {
     }
     for (let i = list.length - 1; i >= 0; --i) if (list[i] && goes(list[i])) edit.remove([key, i]);
 }
-/**
- * Whether a form names something under these keys.
- * @param {any} form
- * @param {Set<string>} keys
- * @param {string} name
- */
-const names = (form, keys, name) =>
+/** Whether a form names something under these keys. */
+const names = (form: Json, keys: Set<string>, name: string) =>
     Object.entries(form).some(
         ([key, value]) =>
             keys.has(key) &&
@@ -145,11 +109,7 @@ const names = (form, keys, name) =>
                 .some((each) => (typeof each === 'string' || typeof each === 'number') && String(each) === name)
     );
 
-/**
- * @param {Edit} edit
- * @param {string} name
- */
-export function removeBody(edit, name) {
+export function removeBody(edit: Edit, name: string) {
     removeFrom(edit, 'drivers', (form) => names(form, new Set(['body', 'relative to']), name));
     removeFrom(edit, 'loads', (form) => names(form, ofBodies, name));
     removeFrom(edit, 'effort', (form) => names(form, new Set(['body', 'from']), name));
@@ -164,12 +124,8 @@ export function removeBody(edit, name) {
     edit.remove(['bodies', name]);
     tidy(edit);
 }
-/**
- * A frame's pin stays the frame's.
- * @param {Edit} edit
- * @param {number} index
- */
-export function removeJoint(edit, index) {
+/** A frame's pin stays the frame's. */
+export function removeJoint(edit: Edit, index: number) {
     const joint = edit.model.joints[index];
     removeFrom(edit, 'drivers', (form) => String(form.joint ?? '') === joint.name);
     removeFrom(edit, 'effort', (form) => String(form.joint ?? '') === joint.name);
@@ -180,12 +136,8 @@ export function removeJoint(edit, index) {
         removeFrom(edit, 'loads', (form) => String(form.pin ?? '') === joint.name);
     edit.remove(joint.path);
 }
-/**
- * What was placed by the point keeps its place, by coordinates.
- * @param {Edit} edit
- * @param {string} name
- */
-export function removePoint(edit, name) {
+/** What was placed by the point keeps its place, by coordinates. */
+export function removePoint(edit: Edit, name: string) {
     for (const each of edit.model.points)
         if (Model.reads(each.form).includes(name) && edit.spots[each.name])
             edit.set(each.path, roundedSpot(edit.spots[each.name]));
@@ -207,11 +159,8 @@ export function removePoint(edit, name) {
     edit.remove(['points', name]);
     tidy(edit);
 }
-/**
- * Takes away lists that became empty.
- * @param {Edit} edit
- */
-function tidy(edit) {
+/** Takes away lists that became empty. */
+function tidy(edit: Edit) {
     for (const key of ['drivers', 'loads', 'effort', 'masses']) {
         const node = edit.json.at([key]);
         if (node && node.kind !== 'string' && node.items.length + node.members.length === 0) edit.remove([key]);

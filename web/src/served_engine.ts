@@ -1,10 +1,8 @@
 // The engine in the program `kinegraph edit`, which serves this page.
+import type {Engine} from './engine';
+import type {Json} from './json_text';
 
-/**
- * @param {string} path
- * @param {any} body
- */
-async function post(path, body) {
+async function post(path: string, body: Json) {
     const response = await fetch(path, {
         method: 'POST',
         headers: {'Content-Type': 'application/json'},
@@ -14,8 +12,7 @@ async function post(path, body) {
     return response.json();
 }
 
-/** @returns {import('./engine.js').Engine} */
-export function open() {
+export function open(): Engine {
     return {
         answer: async (request) => {
             try {

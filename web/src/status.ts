@@ -1,15 +1,13 @@
 // The line at the foot: whether it is solved, what is missing, what is wrong; on the right the grid.
-import {byId, html} from './dom.js';
-import {rounded} from './edit.js';
-import {SelectTool} from './tools.js';
-import {word} from './words.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {rounded} from './edit';
+import type {Answer} from '../../app/workbench/protocol';
+import {SelectTool} from './tools';
+import {word} from './words';
 
 export class Status {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
+    constructor(readonly bench: Bench) {
         bench.on(['answer'], () => this.show());
         bench.on(['view', 'file'], () => this.showGrid());
         bench.on(['tool', 'cursor', 'file', 'selection'], () => this.showHint());
@@ -33,17 +31,13 @@ export class Status {
         advice.replaceChildren(...remarks.slice(0, 4).map((each) => html('li', {}, each)));
         byId('advice-box').hidden = remarks.length === 0 || this.bench.model.points.length === 0;
     }
-    /**
-     * What is missing: a driver where something is free to move, otherwise what the engine could not determine.
-     * @param {import('./engine.js').Answer} answer
-     */
-    missing({mobility, counts, unsolved: [first]}) {
+    /** What is missing: a driver where something is free to move, otherwise what the engine could not determine. */
+    missing({mobility, counts, unsolved: [first]}: Answer) {
         const effective = mobility?.effective ?? 0, free = effective - (counts?.drivers ?? 0);
         return free > 0 ? `${word('freedom')}: ${word('freedom_free', effective, free)}` :
             `${word('not_determined')} ${first.what}: ${first.why}`;
     }
-    /** @param {number} milliseconds */
-    solved(milliseconds) {
+    solved(milliseconds: number) {
         const {results} = this.bench.answer ?? {},
             worst = results ? greatestDifference(results) : null;
         return worst === null
@@ -71,11 +65,8 @@ export class Status {
     }
 }
 
-/**
- * The largest difference of construction and check, as a share of the value.
- * @param {string} results
- */
-function greatestDifference(results) {
+/** The largest difference of construction and check, as a share of the value. */
+function greatestDifference(results: string) {
     const {checks} = JSON.parse(results);
     if (!Array.isArray(checks) || checks.length === 0) return null;
     return checks.reduce(

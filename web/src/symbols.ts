@@ -1,21 +1,15 @@
 // The marks of the canvas, after ISO 3952: pins, grounds, bars, plates, sliders, wheels, springs, forces. Pixels, y
 // downwards.
-import {svg} from './dom.js';
+import {svg} from './dom';
+import type {Spot} from './edit';
 
-/** @typedef {import('./edit.js').Spot} Spot */
+const through = (spots: Spot[]) =>
+    spots.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
 
-/** @param {Spot[]} spots */
-const through = (spots) => spots.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
-
-/** @param {Spot} at */
-export const pin = (at) => svg('circle', {class: 'pin', cx: at[0], cy: at[1], r: 6});
-/**
- * A point that is no pin.
- * @param {Spot} at
- */
-export const dot = (at) => svg('circle', {class: 'dot', cx: at[0], cy: at[1], r: 4});
-/** @param {Spot} at */
-export function ground([x, y]) {
+export const pin = (at: Spot) => svg('circle', {class: 'pin', cx: at[0], cy: at[1], r: 6});
+/** A point that is no pin. */
+export const dot = (at: Spot) => svg('circle', {class: 'dot', cx: at[0], cy: at[1], r: 4});
+export function ground([x, y]: Spot) {
     const hatch = [-14, -7, 0, 7, 14].map((i) => `M${x + i} ${y + 22}l-6 7`).join('');
     return svg(
         'g',
@@ -24,12 +18,8 @@ export function ground([x, y]) {
         svg('path', {d: `M${x - 18} ${y + 22}h36${hatch}`})
     );
 }
-/**
- * A support on rollers, below the point where `turned` is 0.
- * @param {Spot} at
- * @param {number} turned
- */
-export function roller([x, y], turned) {
+/** A support on rollers, below the point where `turned` is 0. */
+export function roller([x, y]: Spot, turned: number) {
     const wheels = [-7, 7].map((i) => svg('circle', {class: 'base', cx: i, cy: 25, r: 3.5}));
     return svg(
         'g',
@@ -39,23 +29,16 @@ export function roller([x, y], turned) {
         svg('path', {d: 'M-20 29h40M-14 29l-6 7M-7 29l-6 7M0 29l-6 7M7 29l-6 7M14 29l-6 7'})
     );
 }
-/**
- * Two spots: a bar; more: a plate with its outline.
- * @param {Spot[]} spots
- */
-export function link(spots) {
+/** Two spots: a bar; more: a plate with its outline. */
+export function link(spots: Spot[]) {
     const sorted = spots.length > 3 ? hull(spots) : spots;
     return svg('path', {class: spots.length > 2 ? 'plate' : 'bar', d: through(sorted) + (spots.length > 2 ? 'Z' : '')});
 }
-/**
- * The convex hull (Andrew).
- * @param {Spot[]} spots
- */
-export function hull(spots) {
+/** The convex hull (Andrew). */
+export function hull(spots: Spot[]) {
     const sorted = [...spots].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-    const half = (/** @type {Spot[]} */ all) => {
-        /** @type {Spot[]} */
-        const chain = [];
+    const half = (all: Spot[]) => {
+        const chain: Spot[] = [];
         for (const each of all) {
             while (chain.length > 1) {
                 const [a, b] = chain.slice(-2);
@@ -68,13 +51,8 @@ export function hull(spots) {
     };
     return [...half(sorted), ...half([...sorted].reverse())];
 }
-/**
- * A slider on its guide; `turned`: radians on the screen; the frame's guide is hatched.
- * @param {Spot} at
- * @param {number} turned
- * @param {boolean} isOfFrame
- */
-export function slider([x, y], turned, isOfFrame) {
+/** A slider on its guide; `turned`: radians on the screen; the frame's guide is hatched. */
+export function slider([x, y]: Spot, turned: number, isOfFrame: boolean) {
     const hatch = isOfFrame ? [-40, -28, -16, -4, 8, 20, 32].map((i) => `M${i + 6} 13l-6 7`).join('') : '';
     return svg(
         'g',
@@ -83,11 +61,7 @@ export function slider([x, y], turned, isOfFrame) {
         svg('rect', {class: 'block', x: -19, y: -12, width: 38, height: 24, rx: 2})
     );
 }
-/**
- * @param {Spot} at
- * @param {number} turned
- */
-export const slot = ([x, y], turned) =>
+export const slot = ([x, y]: Spot, turned: number) =>
     svg('rect', {
         class: 'slot',
         x: -44,
@@ -97,22 +71,12 @@ export const slot = ([x, y], turned) =>
         rx: 9,
         transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})`
     });
-/**
- * @param {Spot} centre
- * @param {number} radius
- * @param {boolean} isGear
- */
-export const wheel = (centre, radius, isGear) =>
+export const wheel = (centre: Spot, radius: number, isGear: boolean) =>
     svg('circle', {class: isGear ? 'wheel gear' : 'wheel', cx: centre[0], cy: centre[1], r: radius});
-/**
- * An arrow whose tip is at `to`.
- * @param {Spot} from
- * @param {Spot} to
- * @param {string} kind
- */
-export function arrow(from, to, kind) {
+/** An arrow whose tip is at `to`. */
+export function arrow(from: Spot, to: Spot, kind: string) {
     const turned = Math.atan2(to[1] - from[1], to[0] - from[0]);
-    const wing = (/** @type {number} */ by) =>
+    const wing = (by: number) =>
         `${to[0] - 11 * Math.cos(turned + by)} ${to[1] - 11 * Math.sin(turned + by)}`;
     return svg(
         'g',
@@ -123,14 +87,12 @@ export function arrow(from, to, kind) {
 }
 /**
  * The sense of a driver about a pivot, beside its bar: counter-clockwise where positive.
- * @param {Spot} at
- * @param {boolean} isPositive
- * @param {number} beside the direction of the bar on the screen, radians
+ * @param beside the direction of the bar on the screen, radians
  */
-export function spin([x, y], isPositive, beside = -1) {
+export function spin([x, y]: Spot, isPositive: boolean, beside = -1) {
     const radius = 34,
         sign = isPositive ? -1 : 1;
-    const spot = (/** @type {number} */ turned, away = radius) =>
+    const spot = (turned: number, away = radius) =>
         `${(x + away * Math.cos(turned)).toFixed(1)} ${(y + away * Math.sin(turned)).toFixed(1)}`;
     const start = beside + sign * 0.4,
         end = beside + sign * 1.4;
@@ -144,11 +106,7 @@ export function spin([x, y], isPositive, beside = -1) {
         })
     );
 }
-/**
- * @param {Spot} from
- * @param {Spot} to
- */
-export function spring(from, to) {
+export function spring(from: Spot, to: Spot) {
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]), turned = Math.atan2(to[1] - from[1], to[0] - from[0]);
     const coil = Math.min(length * 0.7, 120), start = (length - coil) / 2, turns = 6;
     let d = `M0 0H${start}`;
@@ -159,8 +117,7 @@ export function spring(from, to) {
         transform: `translate(${from[0]} ${from[1]}) rotate(${(turned * 180) / Math.PI})`
     });
 }
-/** @param {Spot} at */
-export const weight = ([x, y]) =>
+export const weight = ([x, y]: Spot) =>
     svg(
         'g',
         {class: 'weight'},
@@ -170,13 +127,8 @@ export const weight = ([x, y]) =>
             d: `M${x} ${y}V${y - 8}A8 8 0 0 1 ${x + 8} ${y}ZM${x} ${y}V${y + 8}A8 8 0 0 1 ${x - 8} ${y}Z`
         })
     );
-/**
- * A name beside a spot, its digits as an index: O₂.
- * @param {Spot} at
- * @param {string} name
- * @param {string} kind
- */
-export function label(at, name, kind) {
+/** A name beside a spot, its digits as an index: O₂. */
+export function label(at: Spot, name: string, kind: string) {
     const match = /^(\D+)(\d+)$/.exec(name);
     return svg('text', {class: `label ${kind}`, x: at[0], y: at[1]}, match ? match[1] : name,
         ...(match ? [svg('tspan', {class: 'index', dy: 4}, match[2])] : []));

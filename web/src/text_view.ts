@@ -1,19 +1,17 @@
 // The file as text, beside the drawing: what is written there is drawn, what is drawn is written; faults at their
 // lines.
-import {byId, html} from './dom.js';
-import {pathOf} from './json_text.js';
-import {word} from './words.js';
-
-/** @typedef {import('./bench.js').Bench} Bench */
+import type {Fault} from '../../app/workbench/protocol';
+import type {Bench} from './bench';
+import {byId, html} from './dom';
+import {pathOf} from './json_text';
+import {word} from './words';
 
 export class TextView {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        /** @type {HTMLTextAreaElement} */
-        this.area = byId('text');
-        this.lines = byId('lines');
-        this.faults = byId('faults');
+    area: HTMLTextAreaElement = byId('text');
+    readonly lines = byId('lines');
+    readonly faults = byId('faults');
+
+    constructor(readonly bench: Bench) {
         this.area.addEventListener('input', () => bench.document.change(this.area.value, 'typing'));
         this.area.addEventListener('blur', () => bench.document.rest());
         this.area.addEventListener('scroll', () => (this.lines.scrollTop = this.area.scrollTop));
@@ -29,11 +27,8 @@ export class TextView {
         this.area.value = text;
         this.area.scrollTop = scrollTop;
     }
-    /**
-     * A line break keeps the indentation.
-     * @param {KeyboardEvent} event
-     */
-    indent(event) {
+    /** A line break keeps the indentation. */
+    indent(event: KeyboardEvent) {
         if (event.key !== 'Enter' || event.ctrlKey) return;
         const before = this.area.value.slice(0, this.area.selectionStart),
             line = before.slice(before.lastIndexOf('\n') + 1);
@@ -61,8 +56,7 @@ export class TextView {
         this.faults.hidden = faults.length === 0;
         this.area.setAttribute('aria-invalid', String(faults.length > 0));
     }
-    /** @param {import('../../app/workbench/protocol.js').Fault} fault */
-    faultButton({where, line, text, fault, remedy}) {
+    faultButton({where, line, text, fault, remedy}: Fault) {
         const place = line ? `${word('line', line)} ${where}` : where;
         const parts =
             fault && remedy
@@ -75,12 +69,8 @@ export class TextView {
             ...parts
         );
     }
-    /**
-     * Selects the place in the text, and what it belongs to.
-     * @param {string} pointer
-     * @param {number} [line]
-     */
-    goTo(pointer, line) {
+    /** Selects the place in the text, and what it belongs to. */
+    goTo(pointer: string, line?: number) {
         const range = this.rangeOf(pointer) ?? this.rangeOfLine(line ?? 1);
         this.bench.tell('mode');
         byId('tab-file').click();
@@ -88,8 +78,7 @@ export class TextView {
         this.area.setSelectionRange(range[0], range[1]);
         this.scrollTo(range[0]);
     }
-    /** @param {string} pointer */
-    rangeOf(pointer) {
+    rangeOf(pointer: string) {
         const {json} = this.bench.document;
         if (!json) return null;
         const path = pathOf(json, pointer);
@@ -103,14 +92,12 @@ export class TextView {
         }
         return null;
     }
-    /** @param {number} line */
-    rangeOfLine(line) {
+    rangeOfLine(line: number) {
         const lines = this.area.value.split('\n'),
             start = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
         return [start, start + (lines[line - 1]?.length ?? 0)];
     }
-    /** @param {number} at */
-    scrollTo(at) {
+    scrollTo(at: number) {
         const line = this.area.value.slice(0, at).split('\n').length,
             height = parseFloat(getComputedStyle(this.area).lineHeight);
         this.area.scrollTop = Math.max(0, (line - 4) * height);

@@ -1,15 +1,11 @@
 // The tools as buttons, each with its sign and its key.
-import {byId, html, svg} from './dom.js';
-import {tools} from './tools.js';
-import {word} from './words.js';
+import type {Bench} from './bench';
+import {byId, html, svg} from './dom';
+import {tools} from './tools';
+import {word} from './words';
 
-/** @typedef {import('./bench.js').Bench} Bench */
-
-/**
- * Strokes in a square of 24.
- * @type {Record<string, string>}
- */
-const signs = {
+/** Strokes in a square of 24. */
+const signs: Record<string, string> = {
     select: 'M6 3l12 9-6 1-3 6z',
     point: 'M12 8a4 4 0 1 0 .01 0zM12 2v3M12 19v3M2 12h3M19 12h3',
     link: 'M6 15a3 3 0 1 0 .01 0zM18 3a3 3 0 1 0 .01 0zM8.1 15.9L15.9 8.1',
@@ -30,12 +26,9 @@ const signs = {
 };
 
 export class Toolbar {
-    /**
-     * @param {Bench} bench
-     * @param {SVGSVGElement} canvas
-     */
-    constructor(bench, canvas) {
-        this.root = byId('tools');
+    readonly root = byId('tools');
+
+    constructor(bench: Bench, canvas: SVGSVGElement) {
         for (const tool of tools) {
             const label = `${word(`tool_${tool.tool}`)} (${tool.key.toUpperCase()})`;
             this.root.append(

@@ -1,31 +1,17 @@
 // The tools: each takes what the pointer or the keyboard picks, one target after the other, and changes the file.
-import {rounded, roundedSpot} from './edit.js';
-import {Model} from './model.js';
-import {angle, distance} from './placing.js';
-import {barNear} from './snap.js';
+import type {Bench} from './bench';
+import {type Edit, rounded, roundedSpot, type Spot} from './edit';
+import {Model} from './model';
+import {angle, distance} from './placing';
+import {barNear, type Target} from './snap';
 
-/**
- * @typedef {import('./bench.js').Bench} Bench
- * @typedef {import('./edit.js').Edit} Edit
- * @typedef {import('./edit.js').Spot} Spot
- * @typedef {import('./snap.js').Target & {form?: any}} Target form: how the point is placed, where it was typed
- */
-
-/**
- * @param {string} list
- * @param {string | number} key
- */
-export const pointerTo = (list, key) => Model.pointer([list, key]);
+export const pointerTo = (list: string, key: string | number) => Model.pointer([list, key]);
 
 /**
  * The point of a target; where there is none it is made: exactly on a bar, on a wheel, at an angle, or at its
  * coordinates.
- * @param {Edit} edit
- * @param {Target} target
- * @param {string} [name]
- * @param {string} [from]
  */
-export function pointAt(edit, target, name, from = '') {
+export function pointAt(edit: Edit, target: Target, name?: string, from = '') {
     if (target.point && edit.model.point(target.point)) return target.point;
     if (target.form) return edit.addPoint(target.form, target.at, name);
     if (target.bar) {
@@ -45,52 +31,40 @@ export function pointAt(edit, target, name, from = '') {
 }
 
 export class Tool {
-    /** @param {Bench} bench */
-    constructor(bench) {
-        this.bench = bench;
-        /**
-         * The points picked so far.
-         * @type {string[]}
-         */
-        this.picked = [];
-    }
+    /** The points picked so far. */
+    picked: string[] = [];
+
+    constructor(readonly bench: Bench) {}
     /** Its name, in the texts `tool_NAME` and `hint_NAME`. */
     static tool = '';
     static key = '';
     get name() {
-        return /** @type {typeof Tool} */ (this.constructor).tool;
+        return (this.constructor as typeof Tool).tool;
     }
-    /**
-     * Where a line begins that is being drawn.
-     * @returns {Spot | null}
-     */
-    from() {
+    /** Where a line begins that is being drawn. */
+    from(): Spot | null {
         const last = this.picked[this.picked.length - 1];
         return last ? this.bench.spots[last] ?? null : null;
     }
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         void target;
     }
-    /** @param {string} point */
-    begin(point) {
+    begin(point: string) {
         this.picked = [point];
     }
     /** Ends what was begun. */
     cancel() {
         this.picked = [];
     }
-    /** @param {(edit: Edit) => string | null | undefined | void} change */
-    edit(change) {
+    edit(change: (edit: Edit) => string | null | undefined | void) {
         this.bench.edit(change);
     }
     /**
      * Of a tool that joins two points: the first is begun with, the second ends it.
-     * @param {Target} target
-     * @param {(edit: Edit, first: string, second: string) => string} join what is selected then
-     * @param {string} [name] of new points
+     * @param join what is selected then
+     * @param name of new points
      */
-    pickTwo(target, join, name) {
+    pickTwo(target: Target, join: (edit: Edit, first: string, second: string) => string, name?: string) {
         this.edit((edit) => {
             const point = pointAt(edit, target, name), [first] = this.picked;
             if (!first || first === point || !edit.model.point(first)) {
@@ -110,8 +84,7 @@ export class SelectTool extends Tool {
 export class PointTool extends Tool {
     static tool = 'point';
     static key = 'p';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => pointerTo('points', pointAt(edit, target)));
     }
 }
@@ -119,8 +92,7 @@ export class PointTool extends Tool {
 export class LinkTool extends Tool {
     static tool = 'link';
     static key = 'l';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const last = this.picked[this.picked.length - 1] ?? '', point = pointAt(edit, target, 'A', last);
             if (last === point) {
@@ -136,8 +108,7 @@ export class LinkTool extends Tool {
 export class PlateTool extends Tool {
     static tool = 'plate';
     static key = 'b';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const point = pointAt(edit, target, 'A', this.picked[this.picked.length - 1]);
             if (!this.picked.includes(point)) {
@@ -153,8 +124,7 @@ export class PlateTool extends Tool {
 export class GroundTool extends Tool {
     static tool = 'ground';
     static key = 'g';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             if (target.wheel) return pointerTo('joints', edit.fixWheel(target.wheel));
             const point = pointAt(edit, target, 'O');
@@ -167,8 +137,7 @@ export class GroundTool extends Tool {
 export class RollerTool extends Tool {
     static tool = 'roller';
     static key = 'u';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const point = pointAt(edit, target);
             const body = edit.model.bodiesAt(point).find((each) => each !== edit.model.frame);
@@ -183,8 +152,7 @@ export class RollerTool extends Tool {
 export class WeldTool extends Tool {
     static tool = 'weld';
     static key = 'x';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         const hinge = this.bench.model.joints.find((each) => each.kind === 'revolute' && each.point === target.point);
         if (!hinge || hinge.bodies.length < 2) return;
         this.edit((edit) => {
@@ -197,8 +165,7 @@ export class WeldTool extends Tool {
 export class SliderTool extends Tool {
     static tool = 'slider';
     static key = 's';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const [first] = this.picked;
             if (!first) {
@@ -220,10 +187,9 @@ export class SliderTool extends Tool {
 export class SlotTool extends Tool {
     static tool = 'slot';
     static key = 'o';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.pickTwo(target, (edit, first, point) => {
-            const moving = (/** @type {string} */ at) =>
+            const moving = (at: string) =>
                 edit.model.bodiesAt(at).filter((each) => each !== edit.model.frame);
             // A pin that was drawn on the bar with the slot leaves it: it is another body's.
             const shared = moving(first).find((each) => moving(point).includes(each));
@@ -239,14 +205,12 @@ export class SlotTool extends Tool {
 export class GearTool extends Tool {
     static tool = 'gear';
     static key = 'e';
-    /** @type {'gear' | 'rolling' | 'contact'} */
-    static kind = 'gear';
+    static kind: 'gear' | 'rolling' | 'contact' = 'gear';
     get kind() {
-        return /** @type {typeof GearTool} */ (this.constructor).kind;
+        return (this.constructor as typeof GearTool).kind;
     }
-    /** @param {Target} target */
-    pick(target) {
-        const bodyOf = (/** @type {Edit} */ edit, /** @type {string} */ point) =>
+    pick(target: Target) {
+        const bodyOf = (edit: Edit, point: string) =>
             edit.model.bodiesAt(point).find((body) => body !== edit.model.frame) ?? edit.addBody([point]);
         const [centre] = this.picked, {bar, point: there} = target;
         if (centre && bar && !there && !this.bench.model.pointsOf(bar.body).includes(centre))
@@ -274,24 +238,18 @@ export class GearTool extends Tool {
 export class RollingTool extends GearTool {
     static tool = 'rolling';
     static key = 'r';
-    /** @type {'gear' | 'rolling' | 'contact'} */
-    static kind = 'rolling';
+    static kind: 'gear' | 'rolling' | 'contact' = 'rolling';
 }
 /** Two discs that slide on each other: a cam and its follower. */
 export class ContactTool extends GearTool {
     static tool = 'contact';
     static key = 'c';
-    /** @type {'gear' | 'rolling' | 'contact'} */
-    static kind = 'contact';
+    static kind: 'gear' | 'rolling' | 'contact' = 'contact';
 }
-/**
- * The body that is meant: that of the bar, or of the point.
- * @param {Bench} bench
- * @param {Target} target
- */
-function bodyAt(bench, target) {
+/** The body that is meant: that of the bar, or of the point. */
+function bodyAt(bench: Bench, target: Target) {
     const {model} = bench,
-        moving = (/** @type {string} */ point) => model.bodiesAt(point).filter((each) => each !== model.frame);
+        moving = (point: string) => model.bodiesAt(point).filter((each) => each !== model.frame);
     return (
         target.bar?.body ?? barNear(model, bench.spots, bench.view, target.at)?.body ?? moving(target.point)[0] ??
         target.wheel?.body ?? ''
@@ -300,8 +258,7 @@ function bodyAt(bench, target) {
 export class DriverTool extends Tool {
     static tool = 'driver';
     static key = 'd';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const slide = edit.model.joints.find((each) => each.kind === 'prismatic' && each.point === target.point);
             const body = bodyAt(this.bench, target);
@@ -315,8 +272,7 @@ export class DriverTool extends Tool {
 export class WeightTool extends Tool {
     static tool = 'weight';
     static key = 'w';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         const body = bodyAt(this.bench, target);
         if (!body) return;
         this.edit((edit) => {
@@ -330,8 +286,7 @@ export class WeightTool extends Tool {
 export class LoadTool extends Tool {
     static tool = 'load';
     static key = 'f';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.edit((edit) => {
             const [first] = this.picked;
             if (!first || !edit.model.point(first)) {
@@ -357,8 +312,7 @@ export class LoadTool extends Tool {
 export class CoupleTool extends Tool {
     static tool = 'couple';
     static key = 'm';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         const body = bodyAt(this.bench, target);
         if (!body) return;
         this.edit((edit) => {
@@ -371,8 +325,7 @@ export class CoupleTool extends Tool {
 export class SpringTool extends Tool {
     static tool = 'spring';
     static key = 'k';
-    /** @param {Target} target */
-    pick(target) {
+    pick(target: Target) {
         this.pickTwo(target, (edit, first, point) => {
             // What no link carries is a fixed place.
             const free = [first, point].filter((each) => edit.model.bodiesAt(each).length === 0);

@@ -1,43 +1,27 @@
 // The part of the plane that the canvas shows: from the file's coordinates, y upwards, to pixels and back.
-
-/** @typedef {import('./edit.js').Spot} Spot */
+import type {Spot} from './edit';
 
 export class View {
-    constructor() {
-        this.scale = 3; // pixels for a unit of length
-        this.left = 0;
-        this.top = 0;
-        this.width = 1;
-        this.height = 1;
-    }
-    /**
-     * @param {Spot} at
-     * @returns {Spot}
-     */
-    toScreen([x, y]) {
+    scale = 3;
+    left = 0;
+    top = 0;
+    readonly width = 1;
+    readonly height = 1;
+
+    constructor() {}
+    toScreen([x, y]: Spot): Spot {
         return [(x - this.left) * this.scale, (this.top - y) * this.scale];
     }
-    /**
-     * @param {Spot} at
-     * @returns {Spot}
-     */
-    toPlane([x, y]) {
+    toPlane([x, y]: Spot): Spot {
         return [this.left + x / this.scale, this.top - y / this.scale];
     }
-    /**
-     * @param {number} dx
-     * @param {number} dy pixels
-     */
-    pan(dx, dy) {
+    /** @param dy pixels */
+    pan(dx: number, dy: number) {
         this.left -= dx / this.scale;
         this.top += dy / this.scale;
     }
-    /**
-     * Zooms about a place on the screen, which stays.
-     * @param {number} factor
-     * @param {Spot} about
-     */
-    zoom(factor, about) {
+    /** Zooms about a place on the screen, which stays. */
+    zoom(factor: number, about: Spot) {
         const [x, y] = this.toPlane(about);
         this.scale = Math.min(1e7, Math.max(1e-7, this.scale * factor));
         this.left = x - about[0] / this.scale;
@@ -45,14 +29,13 @@ export class View {
     }
     /**
      * Shows all these spots.
-     * @param {Spot[]} spots
-     * @param {number} unit the length that a screen shows where there are none
+     * @param unit the length that a screen shows where there are none
      */
-    fit(spots, unit) {
+    fit(spots: Spot[], unit: number) {
         const xs = spots.map(([x]) => x), ys = spots.map(([, y]) => y), margin = 90;
         const [left, right] = spots.length > 0 ? [Math.min(...xs), Math.max(...xs)] : [-unit / 2, unit / 2];
         const [bottom, top] = spots.length > 0 ? [Math.min(...ys), Math.max(...ys)] : [-unit / 2, unit / 2];
-        const room = (/** @type {number} */ size) => Math.max(size - 2 * margin, size / 3);
+        const room = (size: number) => Math.max(size - 2 * margin, size / 3);
         const most = spots.length > 1 ? Infinity : Math.min(this.width, this.height) / unit;
         this.scale = Math.min(
             room(this.width) / Math.max(right - left, 1e-9),

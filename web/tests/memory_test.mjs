@@ -1,12 +1,14 @@
 // node web/tests/memory_test.mjs SITE: the module's memory stays the same over many changes of a file. Each change has
 // another length of the crank, as when a point is dragged; every hundredth asks for the whole sheet.
+import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {compiled} from '../compiled.mjs';
 
 const [site] = process.argv.slice(2);
-const {openModule} = await import(pathToFileURL(join(site, 'module.js')).href);
-const answer = await openModule(await WebAssembly.compile(readFileSync(join(site, 'kinegraph.wasm'))));
+const {openModule} = await compiled('site/module.ts');
+const packed = join(site, 'kinegraph.wasm.zst'), unpacked = execFileSync('zstd', ['-dcq', packed], {maxBuffer: 1 << 28});
+const answer = await openModule(await WebAssembly.compile(unpacked));
 const text = readFileSync(join(site, 'examples/four_bar.json'), 'utf8'), crank = '"distance": 40';
 if (!text.includes(crank)) throw new Error('the example has another crank');
 const changes = 10_000, settled = 1_000;

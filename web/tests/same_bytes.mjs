@@ -1,15 +1,16 @@
 // node web/tests/same_bytes.mjs PROGRAM SITE: what the module answers for every example is, byte for byte, what the
 // program writes: the results, the pages of the sheet, each figure. Prints the time of each answer.
-import {spawnSync} from 'node:child_process';
+import {execFileSync, spawnSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, readdirSync, rmSync, existsSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {basename, join} from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {compiled} from '../compiled.mjs';
 
 const [program, site] = process.argv.slice(2);
 if (!program || !site) throw new Error('usage: node web/tests/same_bytes.mjs PROGRAM SITE');
-const {openModule} = await import(pathToFileURL(join(site, 'module.js')).href);
-const answer = await openModule(await WebAssembly.compile(readFileSync(join(site, 'kinegraph.wasm'))));
+const {openModule} = await compiled('site/module.ts');
+const packed = join(site, 'kinegraph.wasm.zst'), unpacked = execFileSync('zstd', ['-dcq', packed], {maxBuffer: 1 << 28});
+const answer = await openModule(await WebAssembly.compile(unpacked));
 const ask = (request) => JSON.parse(answer(JSON.stringify(request)));
 
 const folder = mkdtempSync(join(tmpdir(), 'kinegraph-web-'));
