@@ -32,7 +32,7 @@ const below = (/** @type {string} */ folder) =>
 /** Makes one script of a module and of all that it imports, for the browsers that docs/web.md names. */
 const bundle = (/** @type {string} */ from, /** @type {string} */ to, /** @type {string[]} */ ...more) =>
     execFileSync('esbuild', [
-        join(top, 'web', from), '--bundle', '--minify', '--format=iife', '--target=chrome95,firefox100,safari15.2',
+        join(top, 'web', from), '--bundle', '--minify', '--format=iife', '--target=chrome95,firefox102,safari15.2',
         '--log-level=warning', `--outfile=${join(site, to)}`, ...more,
     ], {stdio: ['ignore', 'inherit', 'inherit']});
 
