@@ -163,7 +163,7 @@ private:
                                                 upright(in({lang::equations::displaced_by})),
                                                 upright(in({lang::equations::work}) + ", " + work_unit().symbol)}};
         for (const Entry& entry : work.entries) {
-            if (!entry.force.is_zero()) rows.push_back(force_row(entry, q));
+            if (!entry.force.is_zero()) rows.push_back(force_row(entry, freedom.moved->mechanism.loads, q));
             if (!entry.couple.is_zero()) rows.push_back(couple_row(entry, q));
         }
         for (const Share& share : work.shares) rows.push_back(share_row(share, q));
@@ -182,20 +182,20 @@ private:
         else
             said(Words(lang::equations::constraints_held_as_they_stand_the_driven, spoken(freedom)));
     }
-    /// The body, or the pin that bears the load.
-    std::string acts_on(const Entry& entry) const {
+    /// The body, or the pin that bears the load. `loads`: those of the displaced mechanism, inertia forces among them.
+    std::string acts_on(const Entry& entry, const std::vector<Load>& loads) const {
         const auto* load = entry.quantity.kind == Quantity::Kind::load
-                               ? std::get_if<ForceLoad>(&mechanism_.loads[at_index(entry.quantity.given)])
+                               ? std::get_if<ForceLoad>(&loads[at_index(entry.quantity.given)])
                                : nullptr;
         if (load == nullptr || load->body != none) return body(entry.body);
         return word(lang::sheet::pin, language_) + " " + mechanism_.point(load->at).name;
     }
-    std::vector<Formula> force_row(const Entry& entry, const Formula& q) {
+    std::vector<Formula> force_row(const Entry& entry, const std::vector<Load>& loads, const Formula& q) {
         const double fx = entry.force.x.to_double() / mechanism_.units.force.si.to_double(),
                      fy = entry.force.y.to_double() / mechanism_.units.force.si.to_double();
         largest_ = nearest::hypot(fx, fy);
         Formula acting = pair_of(fx, fy);
-        return {force(entry.symbol), upright(acts_on(entry)), std::move(acting),
+        return {force(entry.symbol), upright(acts_on(entry, loads)), std::move(acting),
                 way(point_at(entry.at), entry.velocity, q), work_of(dot(entry.force, entry.velocity).to_double())};
     }
     /// "δr_A = (0.2; −0.1) m/rad δθ_1".

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "engine/solution/displacements.hpp"
 #include "render/figures/figure.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/support/pages.hpp"
@@ -39,6 +40,26 @@ TEST(VirtualWorkSheet, HasDisplacementsTableAndEffort) {
     const std::set<std::string> classes = classes_of(figure);
     EXPECT_TRUE(classes.contains("displacement") && classes.contains("force"));
     EXPECT_LE(figure.box.width(), 120.01);
+}
+
+TEST(VirtualWorkSheet, HasInertiaForcesAsLoads) {
+    auto mechanism = read_mechanism(tests::contents(tests::example_file("four_bar_inertia")), "four_bar_inertia.json");
+    ASSERT_TRUE(mechanism.has_value());
+    mechanism->find.virtual_work = true;
+    const Solution solution = *solve(*std::move(mechanism));
+    ASSERT_TRUE(solution.displacements && solution.displacements->why_not.empty());
+    // A force at each centre and a couple, zero only where the body turns uniformly: the crank.
+    std::size_t forces = 0, couples = 0;
+    for (const VirtualWork::Entry& entry : solution.displacements->freedoms.at(0).moved->virtual_work->entries)
+        if (entry.quantity.kind == Quantity::Kind::load) {
+            forces += entry.force.is_zero() ? 0 : 1;
+            couples += entry.couple.is_zero() ? 0 : 1;
+        }
+    EXPECT_EQ(forces, 3U);
+    EXPECT_EQ(couples, 2U);
+    const std::vector<Page> sheet = sheet_of(solution, Language::en);
+    EXPECT_TRUE(says(sheet, "Virtual work"));
+    pages::expect_clean(sheet);
 }
 
 class ApartSheet : public testing::TestWithParam<const char*> {};
