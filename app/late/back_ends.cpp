@@ -1,6 +1,11 @@
 // Replaces functions of the library by functions that load their back end on the first call. The library's own
 // functions link the same back ends directly (CMakeLists.txt explains how and why).
-#include "app/late/late_library.hpp"
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
 #include "app/late/modules.hpp"
 #include "engine/number/assert.hpp"
 #include "lang/keys/library.hpp"
@@ -8,14 +13,28 @@
 namespace kinegraph {
 namespace {
 
+/// The symbol NAME exported by the module NAME.so. The module is searched beside the program (in a build folder) or in
+/// lib/kinegraph (installed), and stays loaded until the end of the run. Thread-safe. `purpose`: what the module does,
+/// for the message if it cannot be loaded.
+tl::expected<const void*, Words> late_library(const std::string& name, const Words& purpose) {
+    std::error_code ignored;
+    const std::string file = name + ".so";
+    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    const std::filesystem::path built = here / file, installed = here / KINEGRAPH_MODULE_FOLDER / file;
+    void* const library = ::dlopen((exists(built, ignored) ? built : installed).c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (library == nullptr)
+        return tl::unexpected(Words(lang::library::by_a_module_of_the_program, purpose, std::string(::dlerror())));
+    const void* const exported = ::dlsym(library, name.c_str());
+    KG_ASSERT(exported != nullptr, "a module exports its functions under its own name");
+    return exported;
+}
+
 template <class Module>
 using Late = tl::expected<const Module*, Words>;
 
 template <class Module>
 Late<Module> late(const char* name, const Words& purpose) {
-    return app::late_library(name, purpose).map([](const void* exported) {
-        return static_cast<const Module*>(exported);
-    });
+    return late_library(name, purpose).map([](const void* exported) { return static_cast<const Module*>(exported); });
 }
 
 const Late<app::CairoModule>& cairo() {

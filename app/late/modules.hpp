@@ -2,7 +2,7 @@
 // library's functions that it contains.
 #pragma once
 
-#include "engine/file/algebra.hpp"
+#include "engine/file/expression.hpp"
 #include "render/backends/archive.hpp"
 #include "render/backends/backends.hpp"
 #include "render/text/subset.hpp"

@@ -7,9 +7,11 @@
 
 #include <tl/expected.hpp>
 
+#include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/positions.hpp"
+#include "kinegraph/mechanism.hpp"
 
 namespace kinegraph::app {
 
@@ -37,5 +39,10 @@ Words time_text(double time);  ///< "0.2 s"
 
 /// "400 mm is out of reach: driver 2 stops at 80 mm".
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit);
+
+/// Solutions in the order of `wanted.at`; the title of each names its position. Errors: bad_input for a text that is no
+/// position or one out of reach, no_unique_answer at a change point, and those of the drawing.
+Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const PositionsWanted& wanted,
+                                               Arithmetic arithmetic);
 
 }  // namespace kinegraph::app

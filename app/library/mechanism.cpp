@@ -2,9 +2,9 @@
 #include <string>
 #include <utility>
 
+#include "app/library/driver_choice.hpp"
 #include "app/library/limits.hpp"
 #include "app/library/problem_kinds.hpp"
-#include "app/library/solved_positions.hpp"
 #include "app/library/state.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
 #include "constructions/positions/conditions.hpp"
@@ -13,8 +13,8 @@
 #include "engine/drawing/pose.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/motion/mobility.hpp"
+#include "engine/reading/file_text.hpp"
 #include "engine/reading/forms.hpp"
-#include "engine/reading/schema.hpp"
 #include "engine/results/results.hpp"
 #include "engine/solution/problem_kind.hpp"
 #include "lang/keys/common.hpp"

@@ -10,7 +10,7 @@
 #include "kinegraph/variants.hpp"
 #include "render/backends/archive.hpp"
 #include "render/backends/quiz_files.hpp"
-#include "render/sheet/quiz_item.hpp"
+#include "render/sheet/handout.hpp"
 
 namespace kinegraph {
 

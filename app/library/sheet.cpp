@@ -17,7 +17,7 @@
 #include "render/page/theme.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
-#include "render/sheet/pair_sheet.hpp"
+#include "render/sheet/sheet.hpp"
 #include "render/sheet/sheet_limits.hpp"
 #include "render/sheet/steps.hpp"
 

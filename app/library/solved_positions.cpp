@@ -1,4 +1,3 @@
-#include "app/library/solved_positions.hpp"
 
 #include <optional>
 #include <utility>

@@ -8,7 +8,7 @@
 #include "constructions/positions/variants.hpp"
 #include "engine/file/json_source.hpp"
 #include "engine/reading/file_text.hpp"
-#include "render/sheet/readable.hpp"
+#include "render/sheet/sheet.hpp"
 
 namespace kinegraph {
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "constructions/moving/moving_bindings.hpp"
 #include "constructions/moving/moving_rules.hpp"
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"

@@ -22,4 +22,11 @@ std::optional<Moving> moving_of(const Solution& solution, const Rereading& rerea
 /// coordinates. None else.
 std::optional<Moving> standing_of(const Solution& solution);
 
+struct Solution;
+
+/// Binds marks of figures to the elements that place them, by the names of engine/solution/bindings.hpp.
+/// Elements of forces (under all loads and under those of one body alone), of curvature and of powers. A quantity that
+/// vanishes has no element.
+std::vector<MovingPlan::Binding> bindings_of(const Solution& solution);
+
 }  // namespace kinegraph

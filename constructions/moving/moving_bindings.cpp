@@ -1,4 +1,4 @@
-#include "constructions/moving/moving_bindings.hpp"
+#include "constructions/moving/moving.hpp"
 
 #include <string>
 #include <utility>

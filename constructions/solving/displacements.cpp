@@ -1,4 +1,3 @@
-#include "constructions/solving/displacements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
+#include "engine/solution/displacements.hpp"
 #include "lang/keys/positions.hpp"
 #include "lang/keys/sentences.hpp"
 

@@ -12,7 +12,6 @@
 #include "constructions/kinematics/plan.hpp"
 #include "constructions/kinematics/relative_motion.hpp"
 #include "constructions/kinematics/structure.hpp"
-#include "constructions/solving/displacements.hpp"
 #include "constructions/solving/missing_motion.hpp"
 #include "constructions/statics/forces.hpp"
 #include "constructions/statics/free_bodies.hpp"

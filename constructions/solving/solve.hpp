@@ -26,4 +26,11 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmeti
 /// the pose is the file's.
 Result<Solution> solve_displaced(Mechanism mechanism, const Pose& pose, const FinerPose& finer);
 
+/// Finds the virtual displacements, and the input forces and couples for which the works vanish.
+/// Uses the drivers of a solved mechanism if these determine its motion, else coordinates chosen in the file's order
+/// (turns about hinges of the frame, slides on the frame, other turns, other slides, points). Adds the rows that
+/// compare input forces with the check of forces, and remarks if displacements differ from the check of motion.
+/// `finer`: its pose with twice the bits, if it is not drawn from the file.
+void add_displacements(Solution& solution, const FinerPose& finer = {});
+
 }  // namespace kinegraph

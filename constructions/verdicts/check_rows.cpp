@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "constructions/verdicts/force_comparison.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/numeric_result.hpp"
 #include "engine/number/functions.hpp"

@@ -10,6 +10,7 @@
 
 namespace kinegraph {
 
+struct NumericMotion;
 struct Solution;
 
 /// Values of the check for a solution.
@@ -42,5 +43,8 @@ void enter(Comparison comparison, Solution& solution);
 /// Differences of more than 1e-6 of the largest value of the kind, the worst of each kind; and bodies that move by only
 /// one of the two computations.
 std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies);
+
+/// Adds the rows, bars and actions of forces to the comparison; `motion` is that of the check.
+void compare_forces(const Solution& solution, const NumericMotion& motion, Comparison& comparison);
 
 }  // namespace kinegraph

@@ -1,4 +1,4 @@
-#include "constructions/verdicts/force_comparison.hpp"
+#include "constructions/verdicts/check_rows.hpp"
 
 #include <array>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/file/algebra.hpp"
+#include "engine/file/expression.hpp"
 #include "lang/keys/expressions.hpp"
 
 namespace kinegraph {

@@ -1,6 +1,6 @@
 // Expressions of a law of motion, such as "v0*cos(alpha)*t", as a tree. Owns parsing with units, dimension checks,
 // evaluation with an error bound, and forward-mode automatic differentiation (used by the check only). For exact
-// symbolic derivatives see engine/file/algebra.hpp. The grammar: engine/file/formula_syntax.hpp. Independent of JSON
+// symbolic derivatives see derivative(). The grammar: engine/file/formula_syntax.hpp. Independent of JSON
 // and of motion.
 #pragma once
 
@@ -15,6 +15,7 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/file/error.hpp"
 #include "engine/file/formula.hpp"
 #include "engine/file/units.hpp"
 #include "engine/number/exact.hpp"
@@ -101,5 +102,10 @@ using Jet = std::array<double, 3>;
 Jet jet(const Expression& of, const NamedConstants& constants, double variable);
 
 bool depends_on_variable(const Expression& of);
+
+/// The derivative, by algebra (GiNaC in algebra_ginac.cpp alone), with respect to the variable. The order of terms and
+/// factors depends on the expression alone. Thread-safe. Errors, without a place: an expression that divides by zero or
+/// is not real for every value of the variable.
+tl::expected<Expression, Error> derivative(const Expression& of, const NamedConstants& constants);
 
 }  // namespace kinegraph

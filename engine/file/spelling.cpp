@@ -1,5 +1,6 @@
 #include "engine/file/spelling.hpp"
 
+#include <charconv>
 #include "engine/number/assert.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/files.hpp"
@@ -50,6 +51,15 @@ bool has_control_character(std::string_view text, bool also_blank) {
 
 Words did_you_mean(const std::optional<std::string>& name) {
     return name ? Words(lang::common::did_you_mean, quoted(*name)) : Words();
+}
+
+std::optional<std::uint32_t> colour_of_text(std::string_view text) {
+    constexpr std::size_t length = 7;
+    std::uint32_t number = 0;
+    if (text.size() != length || text[0] != '#') return std::nullopt;
+    const char* const end = text.data() + text.size();
+    if (std::from_chars(text.data() + 1, end, number, 16).ptr != end) return std::nullopt;
+    return number;
 }
 
 }  // namespace kinegraph

@@ -25,6 +25,9 @@ Words listed(std::span<const std::string_view> words);
 /// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
 bool has_control_character(std::string_view text, bool also_blank);
 
+/// The colour "#RRGGBB" as 0xRRGGBB; nothing where the text is no colour.
+std::optional<std::uint32_t> colour_of_text(std::string_view text);
+
 /// Finds the name nearest to a misspelt one, with a bound on the total work.
 class Speller {
 public:

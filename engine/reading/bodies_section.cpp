@@ -1,4 +1,4 @@
-#include "engine/file/colour_text.hpp"
+#include "engine/file/spelling.hpp"
 #include "engine/reading/sections.hpp"
 #include "lang/keys/bodies.hpp"
 #include "lang/keys/common.hpp"

@@ -1,4 +1,3 @@
-#include "engine/reading/schema.hpp"
 
 #include <algorithm>
 #include <array>

@@ -15,6 +15,8 @@
 
 namespace kinegraph {
 
+struct Solution;
+
 /// Appends to `columns` the columns of one scalar or component of a solution: ω of 3 gives "angle 3" and "omega 3", v_x
 /// of B gives "x B", "y B" and "vx B". `subject`: the name of the point or the sliding joint, "A on 4" where several
 /// bodies carry A separately; ignored for other quantities.
@@ -58,5 +60,9 @@ std::optional<std::array<PointIndex, 2>> line_of(const Body& body, const Pose& p
 /// (Transmission).
 inline constexpr const char* transmission_angle_name = "transmission angle";
 Column transmission_column();
+
+/// The name of a bar by its pins, "AB". Null if the body is not a bar of a truss, or if the file's questions refer to
+/// bars by number.
+const std::string* name_of_bar(const Solution& solution, BodyIndex body);
 
 }  // namespace kinegraph

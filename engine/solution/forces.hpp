@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/board/protocol.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/number/geometry.hpp"
 #include "engine/number/recorded.hpp"
@@ -200,5 +201,10 @@ struct SolvedForces {
 /// The quantities of these values.
 Quantity quantity_of(const JointForce& action);
 Quantity quantity_of(const FreeBody& body, const AppliedForce& applied);
+
+/// The displacement d = M/F of a sum's line of action by the statement, perpendicular to it, m. None: the statement
+/// displaces another force, or none. `bodies`: cut free under all loads, or under those of one body alone.
+std::optional<Vector> shift_of(const Protocol& protocol, const std::vector<FreeBody>& bodies, StatementIndex statement,
+                               const AppliedForce& sum);
 
 }  // namespace kinegraph

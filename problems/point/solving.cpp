@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/file/algebra.hpp"
+#include "engine/file/expression.hpp"
 #include "engine/file/expression_gap.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/number/functions.hpp"

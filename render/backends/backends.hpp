@@ -17,6 +17,8 @@
 
 namespace kinegraph::render {
 
+struct Picture;
+
 /// Cache of the path data of glyphs, by face, index and size, for one set of fonts. Share it between many SVGs.
 class GlyphPaths {
 public:
@@ -66,5 +68,8 @@ std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs);
 /// LaTeX for the class beamer: consecutive pages of steps with the same figure are one frame with an overlay for each,
 /// whose sentences TeX sets. For pdflatex and lualatex.
 std::string to_beamer(const std::vector<Page>& pages, const Glyphs& glyphs);
+
+/// The pixels of to_png's picture, without encoding and decoding.
+Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi);
 
 }  // namespace kinegraph::render

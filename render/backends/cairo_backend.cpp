@@ -18,8 +18,7 @@
 #include "engine/number/assert.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
-#include "render/backends/pdf_language.hpp"
-#include "render/backends/raster.hpp"
+#include "render/backends/picture_difference.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {

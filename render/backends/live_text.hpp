@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/page/page.hpp"
@@ -55,5 +56,10 @@ double width_of(const Outline& outline);
 Spot turned(const TextMark& mark, Spot spot);
 /// The outline of a glyph of a text where it stands on paper, filled.
 Path filled_glyph(const TextMark& mark, const Glyph& glyph, const Outline& outline, Colour colour);
+
+/// The document with a new catalog appended (an incremental update) that sets /Lang, /Marked (for its tags) and
+/// /DisplayDocTitle. `pdf` must have a cross-reference table, as cairo 1.16 writes it; a PDF with a cross-reference
+/// stream is returned unchanged.
+std::string with_language(std::string pdf, std::string_view language);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-#include "render/backends/pdf_language.hpp"
+#include "render/backends/live_text.hpp"
 
 #include <charconv>
 #include <cstddef>

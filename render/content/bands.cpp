@@ -23,7 +23,7 @@
 #include "render/tables/force_tables.hpp"
 #include "render/tables/truss_table.hpp"
 #include "render/text/formula.hpp"
-#include "render/text/numbered_lines.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -16,7 +16,6 @@
 #include "lang/keys/sheet.hpp"
 #include "render/content/exercise_phrases.hpp"
 #include "render/figures/plot_figure.hpp"
-#include "render/scene/bars.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -8,12 +8,12 @@
 #include <variant>
 
 #include "engine/number/functions.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/data.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/mechanism/sketch.hpp"
-#include "render/scene/bars.hpp"
 #include "render/text/bound_blank.hpp"
 
 namespace kinegraph::render {

@@ -24,7 +24,6 @@
 #include "render/figures/expression_symbol.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
-#include "render/scene/bars.hpp"
 #include "render/text/bound_blank.hpp"
 #include "render/text/formula.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "engine/mechanism/compound_units.hpp"
 #include "lang/keys/sheet.hpp"
-#include "render/figures/exercise_figure.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
 #include "render/mechanism/clutter.hpp"

@@ -115,4 +115,9 @@ NoLever no_lever(const Solution& solution);
 /// Requires that no_lever() is `drawn`.
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish = {});
 
+/// Draws exercise_figure() in a given area. `within`: that area, mm, relative to the origin of its coordinates. Names,
+/// arrows of loads and the scale bar stay in it if they find space; dimensions that would leave it are omitted (the
+/// text contains all data).
+Figure exercise_figure_within(const DrawingContext& context, double scale, const Box& within);
+
 }  // namespace kinegraph::render

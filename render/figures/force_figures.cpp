@@ -8,7 +8,7 @@
 
 #include "engine/number/functions.hpp"
 #include "engine/solution/bindings.hpp"
-#include "engine/solution/shifts.hpp"
+#include "engine/solution/forces.hpp"
 #include "lang/keys/notation.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/caption.hpp"

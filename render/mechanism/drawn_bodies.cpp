@@ -1,8 +1,8 @@
 // The whole mechanism in colour or as a grey skeleton under vectors, or one free body.
 #include <algorithm>
 
+#include "engine/results/result_names.hpp"
 #include "render/mechanism/symbols.hpp"
-#include "render/scene/bars.hpp"
 
 namespace kinegraph::render::drawing {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/file/colour_text.hpp"
 #include "engine/file/json_source.hpp"
+#include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/themes.hpp"

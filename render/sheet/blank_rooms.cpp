@@ -1,4 +1,4 @@
-#include "render/sheet/blank_rooms.hpp"
+#include "render/sheet/handout.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/sheet/cycle_extremes.hpp"
+#include "render/sheet/cycle_sheet.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,6 @@
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/cycle_extremes.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -16,12 +16,10 @@
 #include "render/equations/equation_block.hpp"
 #include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
-#include "render/figures/exercise_figure.hpp"
 #include "render/figures/figure.hpp"
 #include "render/layout/drawn_sheet.hpp"
 #include "render/layout/page_plan.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/blank_rooms.hpp"
 #include "render/tables/answers.hpp"
 
 namespace kinegraph::render {

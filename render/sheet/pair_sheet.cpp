@@ -1,4 +1,4 @@
-#include "render/sheet/pair_sheet.hpp"
+#include "render/sheet/sheet.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 // Implementation of quiz_item.hpp.
-#include "render/sheet/quiz_item.hpp"
+#include "render/sheet/handout.hpp"
 
 #include <algorithm>
 #include <array>

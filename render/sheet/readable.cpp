@@ -1,5 +1,5 @@
-// Implementation of readable.hpp.
-#include "render/sheet/readable.hpp"
+// Whether vectors to be found are long enough to be read.
+#include "render/sheet/sheet.hpp"
 
 #include <algorithm>
 

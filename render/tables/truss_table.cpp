@@ -8,7 +8,7 @@
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 #include "render/tables/long_names.hpp"
-#include "render/text/joined_names.hpp"
+#include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -1,5 +1,5 @@
-// Joined names: see joined_names.hpp.
-#include "render/text/joined_names.hpp"
+// Names that are joined to one, such as those of the points on a line.
+#include "render/text/rich_text.hpp"
 
 #include <algorithm>
 #include <string>

@@ -45,4 +45,8 @@ std::string plain(const RichText& text);
 /// superscripts.
 RichText as_set(const RichText& text);
 
+/// Appends a point to the name of a line. Names of one or two letters are concatenated, "O₂A"; a longer name is
+/// separated by a dash, so that it remains recognisable.
+void append_point(RichText& line, const RichText& point);
+
 }  // namespace kinegraph::render

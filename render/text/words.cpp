@@ -1,7 +1,6 @@
 // Words: sets the sentences of lang/*.txt with their arguments, symbols and numbers. How a sentence is written there is
 // said at the top of lang/en.txt. Independent of pages.
 #include "render/text/words.hpp"
-#include "render/text/numbered_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +17,7 @@
 #include "lang/keys/sheet.hpp"
 #include "lang/pattern.hpp"
 #include "render/text/formula.hpp"
-#include "render/text/joined_names.hpp"
+#include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -1,6 +1,7 @@
 // Words: the sentences, headings and names of a sheet in a language (lang/*.txt), typeset as in the figures or plain.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,11 @@ std::string verdict_words(const Mobility& mobility, Language language);
 std::string word(Key key, Language language);
 /// The same with its placeholders {0}, {1} … filled.
 RichText word(Key key, const std::vector<RichText>& parts, Language language);
+
+/// The prefix of a line's name in a sentence that refers to lines by number ("draw the lines ① ⟂ AB and ② ⟂ O4B"): its
+/// number and a space, or an empty string.
+using BeforeLine = std::function<std::string(const LineReason&)>;
+/// As say(), with prefixes; no line break separates a prefix from its name.
+RichText say(const Message& message, Language language, const BeforeLine& before_line);
 
 }  // namespace kinegraph::render

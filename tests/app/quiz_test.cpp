@@ -12,7 +12,7 @@
 #include "constructions/positions/variants.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "render/backends/quiz_files.hpp"
-#include "render/sheet/quiz_item.hpp"
+#include "render/sheet/handout.hpp"
 #include "render/text/html.hpp"
 #include "tests/support/command_line.hpp"
 #include "tests/support/fonts.hpp"

@@ -2,7 +2,7 @@
 // solution drawn there. So no step may rest on a coincidence that the record does not have.
 #include <gtest/gtest.h>
 
-#include "app/library/solved_positions.hpp"
+#include "app/library/driver_choice.hpp"
 #include "engine/board/program.hpp"
 #include "tests/support/chains.hpp"
 #include "tests/support/files.hpp"

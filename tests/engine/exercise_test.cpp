@@ -17,7 +17,6 @@
 #include "engine/results/result_names.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/sheet/key_sheet.hpp"
-#include "render/sheet/readable.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/page_checker.hpp"

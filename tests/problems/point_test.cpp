@@ -10,7 +10,7 @@
 #include <random>
 
 #include "constructions/solving/solve.hpp"
-#include "engine/file/algebra.hpp"
+#include "engine/file/expression.hpp"
 #include "engine/results/results.hpp"
 #include "problems/point/point.hpp"
 #include "tests/support/problem_tests.hpp"

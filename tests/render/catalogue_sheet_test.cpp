@@ -9,7 +9,7 @@
 
 #include "render/backends/backends.hpp"
 #include "render/figures/pair_figures.hpp"
-#include "render/sheet/pair_sheet.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/backends/raster.hpp"
+#include "render/backends/backends.hpp"
+#include "render/backends/picture_difference.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {

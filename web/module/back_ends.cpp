@@ -1,7 +1,7 @@
 // The back ends of the library that the module for the browser replaces: the browser itself draws PNG and prints PDF,
 // no page asks for archives or derivatives, and the fonts are part of the module. app/late/back_ends.cpp is the
 // program's counterpart.
-#include "engine/file/algebra.hpp"
+#include "engine/file/expression.hpp"
 #include "engine/number/assert.hpp"
 #include "lang/keys/library.hpp"
 #include "render/backends/archive.hpp"

@@ -8,7 +8,7 @@
 #include "engine/drawing/spring_force.hpp"
 #include "engine/file/units.hpp"
 #include "engine/number/geometry.hpp"
-#include "engine/solution/shifts.hpp"
+#include "engine/solution/forces.hpp"
 #include "lang/keys/sentences.hpp"
 
 namespace kinegraph::worked_arithmetic {

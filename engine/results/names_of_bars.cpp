@@ -1,11 +1,11 @@
-#include "render/scene/bars.hpp"
+// Names of bars.
+#include "engine/results/result_names.hpp"
 
 #include <algorithm>
 
-#include "engine/results/result_names.hpp"
 #include "engine/solution/solution.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph {
 namespace {
 
 const TrussStructure::Bar* bar_of(const TrussStructure& truss, BodyIndex body) {
@@ -32,4 +32,4 @@ const std::string* name_of_bar(const Solution& solution, BodyIndex body) {
     return bar != nullptr && !are_asked_by_number(solution.mechanism, truss) ? &bar->name : nullptr;
 }
 
-}  // namespace kinegraph::render
+}  // namespace kinegraph
