@@ -7,6 +7,7 @@
 
 #include "engine/mechanism/drivers.hpp"
 #include "engine/number/functions.hpp"
+#include "engine/sentences/result_catalogue.hpp"
 
 namespace kinegraph {
 namespace {
@@ -66,20 +67,21 @@ void NoiseLevels::add_load(const Load& load) {
     usual_.force = std::max(usual_.force, force);
 }
 
+double NoiseLevels::Sizes::*NoiseLevels::Sizes::of(QuantityKind scale) {
+    switch (scale) {
+        case QuantityKind::velocity: return &Sizes::velocity;
+        case QuantityKind::acceleration: return &Sizes::acceleration;
+        case QuantityKind::force: return &Sizes::force;
+        default: return nullptr;
+    }
+}
+
 NoiseLevels::Sizes NoiseLevels::sizes_in(const std::vector<Column>& columns, const std::vector<double>& row) const {
     Sizes sizes = usual_;
     for (std::size_t i = 0; i < std::min(columns.size(), row.size()); ++i) {
-        const double value = std::abs(row[i]);
-        const auto take = [&](double& size, double reach) { size = std::max(size, value * reach); };
-        switch (columns[i].unit) {
-            case QuantityKind::velocity: take(sizes.velocity, 1); break;
-            case QuantityKind::angular_velocity: take(sizes.velocity, size_); break;
-            case QuantityKind::acceleration: take(sizes.acceleration, 1); break;
-            case QuantityKind::angular_acceleration: take(sizes.acceleration, size_); break;
-            case QuantityKind::force: take(sizes.force, 1); break;
-            case QuantityKind::moment: take(sizes.force, 1 / size_); break;
-            default: break;
-        }
+        const Tolerance& tolerance = tolerance_of(columns[i].unit);
+        if (double Sizes::*const size = Sizes::of(tolerance.scale))
+            sizes.*size = std::max(sizes.*size, tolerance.back(std::abs(row[i]), size_));
     }
     return sizes;
 }
@@ -112,13 +114,9 @@ double NoiseLevels::level(const Column& column, const Sizes& sizes) const {
         case Column::Kind::result:
         case Column::Kind::along: break;
     }
+    const Tolerance& tolerance = tolerance_of(column.unit);
+    if (double Sizes::*const size = Sizes::of(tolerance.scale)) return share * tolerance.across(sizes.*size, size_);
     switch (column.unit) {
-        case QuantityKind::velocity: return share * sizes.velocity;
-        case QuantityKind::angular_velocity: return share * sizes.velocity / size_;
-        case QuantityKind::acceleration: return share * sizes.acceleration;
-        case QuantityKind::angular_acceleration: return share * sizes.acceleration / size_;
-        case QuantityKind::force: return share * sizes.force;
-        case QuantityKind::moment: return share * sizes.force * size_;
         case QuantityKind::power: return share * sizes.force * sizes.velocity;
         case QuantityKind::angle: return share;
         case QuantityKind::length: return share * size_;

@@ -26,6 +26,9 @@ private:
         double velocity = 0;      ///< m/s
         double acceleration = 0;  ///< m/s²
         double force = 0;         ///< N
+
+        /// By Tolerance::scale; null for other kinds.
+        static double Sizes::*of(QuantityKind scale);
     };
     Sizes sizes_in(const std::vector<Column>& columns, const std::vector<double>& row) const;
     double level(const Column& column, const Sizes& sizes) const;

@@ -9,11 +9,12 @@ namespace kinegraph {
 
 namespace {
 
-bool is_effort(const Column& column) { return result_kind(column.quantity).subject == ResultKind::Subject::effort; }
-/// The place of a column's scale among all: one for each unit; efforts, which may be far below the reactions, have
-/// their own behind these.
+using Scale = ResultKind::Scale;
+
+/// The place of a column's scale among all: one for each unit, that of efforts behind these.
 std::size_t scale_of(const Column& column) {
-    return is_effort(column) ? count_of_quantity_kinds : static_cast<std::size_t>(column.unit);
+    return result_kind(column.quantity).scale == Scale::efforts ? count_of_quantity_kinds
+                                                                : static_cast<std::size_t>(column.unit);
 }
 
 }  // namespace
@@ -37,9 +38,8 @@ LargestDifference::Found LargestDifference::found(std::span<const Column> column
     Found worst;
     for (std::size_t i = 0; i < std::min(columns.size(), off_.size()); ++i) {
         const Off& off = off_[i];
-        // A quantity without a kind is compared with its own largest value.
-        const bool is_named = columns[i].quantity.kind != Quantity::Kind::unnamed;
-        const double unit = is_named ? measure(columns[i], size) : off.largest;
+        const bool by_itself = result_kind(columns[i].quantity).scale == Scale::own;
+        const double unit = by_itself ? off.largest : measure(columns[i], size);
         if (!off.held || unit == 0) continue;
         const double share = off.most / unit;
         if (worst.column < 0 || share > worst.share) worst = {share, static_cast<int>(i), off.coordinate};
@@ -48,22 +48,22 @@ LargestDifference::Found LargestDifference::found(std::span<const Column> column
 }
 
 double LargestDifference::measure(const Column& column, double size) const {
-    using enum QuantityKind;
-    const auto at = [&](std::size_t unit) { return unit < largest_.size() ? largest_[unit] : 0.0; };
-    const auto of = [&](QuantityKind unit) { return at(static_cast<std::size_t>(unit)); };
-    if (is_effort(column)) return at(scale_of(column));
-    const double v = std::max({of(velocity), of(angular_velocity) * size});
-    const double a = std::max({of(acceleration), of(angular_acceleration) * size, v * v / size});
-    const double f = std::max({of(force), of(moment) / size});
-    switch (column.unit) {
-        case angular_velocity: return v / size;
-        case angular_acceleration: return a / size;
-        case velocity: return v;
-        case acceleration: return a;
-        case force: return f;
-        case moment: return f * size;
-        default: return of(column.unit);
+    const auto at = [&](std::size_t scale) { return scale < largest_.size() ? largest_[scale] : 0.0; };
+    if (scale_of(column) == count_of_quantity_kinds) return at(count_of_quantity_kinds);
+    const auto most = [&](QuantityKind scale) {
+        double largest = 0;
+        for (std::size_t i = 0; i < count_of_quantity_kinds; ++i)
+            if (const Tolerance& of = tolerance_of(static_cast<QuantityKind>(i)); of.scale == scale)
+                largest = std::max(largest, of.back(at(i), size));
+        return largest;
+    };
+    const Tolerance& tolerance = tolerance_of(column.unit);
+    double largest = most(tolerance.scale);
+    if (tolerance.scale == QuantityKind::acceleration) {
+        const double v = most(QuantityKind::velocity);
+        largest = std::max(largest, v * v / size);
     }
+    return tolerance.across(largest, size);
 }
 
 }  // namespace kinegraph

@@ -12,6 +12,30 @@
 
 namespace kinegraph {
 
+/// How far a value may be off, on paper and in the numeric check, by what it is measured in.
+struct Tolerance {
+    /// How it is read off the drawings, where no quotient or product of two readings is nearer.
+    enum class Reading {
+        calculated,  ///< from what is read: to a hundredth of it
+        in_scale,    ///< to half a millimetre in the scale of a figure
+        protractor   ///< to half a degree
+    } reading = Reading::calculated;
+    /// In the check it may be off by a share of the largest value of its kind. Kinds of one motion or of one load have
+    /// one scale, that of `scale`, across the size L of the drawing: ω = v/L, M = F·L.
+    QuantityKind scale = QuantityKind::dimensionless;
+    int lengths = 0;  ///< the power of L: −1, 0 or 1
+
+    /// The value of this kind that corresponds to one of `scale`.
+    double across(double value, double size) const {
+        return lengths > 0 ? value * size : lengths < 0 ? value / size : value;
+    }
+    /// The value of `scale` that corresponds to one of this kind.
+    double back(double value, double size) const {
+        return lengths > 0 ? value / size : lengths < 0 ? value * size : value;
+    }
+};
+const Tolerance& tolerance_of(QuantityKind unit);
+
 struct ResultKind {
     enum class Subject {
         nothing,
@@ -32,10 +56,19 @@ struct ResultKind {
     /// `place`: of a point, which may lie at infinity.
     enum class Shape { scalar, vector, along, place };
 
+    /// What its differences from the check are measured with, across the scales of its unit (Tolerance).
+    enum class Scale {
+        unit,     ///< the largest value of the unit, which its own values help to set
+        given,    ///< the same, which its own values do not set: they may vanish, or are sums of others
+        efforts,  ///< the largest of input forces and couples: over a sweep they may be far below the reactions
+        own       ///< its own largest value
+    };
+
     Quantity::Kind kind = Quantity::Kind::unnamed;
     Subject subject = Subject::nothing;
     Shape shape = Shape::scalar;
     QuantityKind unit = QuantityKind::dimensionless;  ///< of a load or an effort: of a force, see unit_kind_of
+    Scale scale = Scale::own;
     Symbol::Letter letter = Symbol::Letter::point;
     std::string_view name;         ///< in checks, before its subject: "omega", "force"
     std::string_view ending = {};  ///< in checks, behind it: " couple"

@@ -49,18 +49,7 @@ Magnitudes::Magnitudes(const Solution& solution, const std::vector<std::optional
 
 void Magnitudes::take(const Quantity& quantity, double value) {
     const ResultKind& row = result_kind(quantity);
-    switch (row.subject) {
-        case ResultKind::Subject::body:
-            if (row.is_of_forces()) return;  // a resultant vanishes
-            break;
-        case ResultKind::Subject::two_bodies:
-        case ResultKind::Subject::point:
-        case ResultKind::Subject::path:
-        case ResultKind::Subject::joint:
-        case ResultKind::Subject::action:
-        case ResultKind::Subject::component: break;
-        default: return;
-    }
+    if (row.scale != ResultKind::Scale::unit) return;
     raise(largest(row.unit), value);
 }
 
@@ -94,18 +83,23 @@ void Magnitudes::take_what_is_given() {
 }
 
 void Magnitudes::tie_together(double size) {
-    using enum QuantityKind;
-    const auto of = [&](QuantityKind unit) { return largest(unit); };
-    raise(largest(length), size);
+    raise(largest(QuantityKind::length), size);
     if (!(size > 0)) return;
-    raise(largest(angular_velocity), of(velocity) / size);
-    raise(largest(velocity), of(angular_velocity) * size);
-    raise(largest(acceleration), of(angular_velocity) * of(angular_velocity) * size);
-    raise(largest(angular_acceleration), of(acceleration) / size);
-    raise(largest(acceleration), of(angular_acceleration) * size);
-    raise(largest(moment), of(force) * size);
-    raise(largest(force), of(moment) / size);
-    raise(largest(power), of(force) * of(velocity));
+    const auto share = [&](QuantityKind scale) {
+        for (std::size_t i = 0; i < count_of_quantity_kinds; ++i) {
+            const auto unit = static_cast<QuantityKind>(i);
+            const Tolerance& tolerance = tolerance_of(unit);
+            if (unit == scale || tolerance.scale != scale) continue;
+            raise(largest(unit), tolerance.across(largest(scale), size));
+            raise(largest(scale), tolerance.back(largest(unit), size));
+        }
+    };
+    share(QuantityKind::velocity);
+    const double omega = largest(QuantityKind::angular_velocity);
+    raise(largest(QuantityKind::acceleration), omega * omega * size);
+    share(QuantityKind::acceleration);
+    share(QuantityKind::force);
+    raise(largest(QuantityKind::power), largest(QuantityKind::force) * largest(QuantityKind::velocity));
 }
 
 double Magnitudes::of(const Quantity& quantity) const {

@@ -407,11 +407,8 @@ double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, co
         if (!figure.has_scale) continue;
         if (figure.traits.measured != kind) continue;
         // Polygons: in the file's unit per millimetre.
-        const Unit* unit = kind == QuantityKind::force          ? &units.force
-                           : kind == QuantityKind::velocity     ? &units.velocity
-                           : kind == QuantityKind::acceleration ? &units.acceleration
-                                                                : nullptr;
-        return reading_by_hand * (unit == nullptr ? figure.scale : figure.scale * unit->si.to_double());
+        const double unit = kind == QuantityKind::length ? 1 : unit_of(kind, units).si.to_double();
+        return reading_by_hand * (figure.scale * unit);
     }
     return 0;
 }
@@ -526,8 +523,10 @@ double reading_tolerance(const std::vector<Answer>& answers, const std::vector<F
     for (const Answer& each : answers)
         if (each.tolerance && is_of(each, column, mechanism))
             if (const KnownUnit* unit = unit_spelt(each.unit)) return *each.tolerance * unit->si.to_double();
-    if (column.unit == QuantityKind::angle) return half_a_degree;
-    const double on_paper = half_a_millimetre(drawn, column.unit, mechanism.units);
+    const Tolerance::Reading reading = tolerance_of(column.unit).reading;
+    if (reading == Tolerance::Reading::protractor) return half_a_degree;
+    const double on_paper =
+        reading == Tolerance::Reading::in_scale ? half_a_millimetre(drawn, column.unit, mechanism.units) : 0;
     return on_paper > 0 ? on_paper : calculated * std::abs(value);
 }
 
