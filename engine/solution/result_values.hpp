@@ -106,15 +106,35 @@ void for_each_force_in_part(const Solution& solution, Show show) {
     }
 }
 
-/// Calls `see(const Quantity&, const Recorded<T>&)` for each result that is known, T being Exact or Distance for a
-/// scalar, Vector for a vector, ProjectivePoint for a place that may be at infinity: bodies in the file's order, points
-/// that are not of the frame, slidings, actions at joints, efforts, centres, powers, forces in bars, curvature,
-/// components and resultants of forces, transmission angles.
-template <class See>
-void for_each_result(const Solution& solution, See see) {
-    const auto show = [&](const Quantity& quantity, const auto& found) {
-        if (found) see(quantity, found);
-    };
+/// The relative and the transport motion of the points that are observed. `other` is the observer; where it translates
+/// with a point, `seen_from` is that point.
+template <class Show>
+void for_each_relative_motion(const Solution& solution, Show show) {
+    using Part = Quantity::Part;
+    for (const RelativeMotion& motion : solution.relative_motion) {
+        const RelativeMotionQuery& query = motion.query;
+        const bool translates = query.translating_with != none;
+        const auto part = [&](Quantity::Kind kind, Part which) -> Quantity {
+            return {.kind = kind,
+                    .other = translates ? none : query.observer,
+                    .point = query.point,
+                    .part = which,
+                    .seen_from = query.translating_with};
+        };
+        show(part(Quantity::Kind::velocity, Part::relative), motion.relative_velocity);
+        show(part(Quantity::Kind::acceleration, Part::relative), motion.relative_acceleration);
+        show(part(Quantity::Kind::velocity, Part::transport), motion.transport_velocity);
+        show(part(Quantity::Kind::acceleration, Part::transport), motion.transport_acceleration);
+        show(part(Quantity::Kind::acceleration, Part::coriolis), motion.coriolis);
+    }
+}
+
+/// Calls `show(const Quantity&, const Recorded<T>&)` for each result that is sought, known or not, T being Exact or
+/// Distance for a scalar, Vector for a vector, ProjectivePoint for a place that may be at infinity: bodies in the
+/// file's order, points that are not of the frame, slidings, actions at joints, efforts, centres, powers, forces in
+/// bars, curvature, components and resultants of forces, transmission angles, relative motions.
+template <class Show>
+void for_each_sought(const Solution& solution, Show show) {
     for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
         show(omega_of(BodyIndex(b)), solution.bodies[b].omega);
         show(alpha_of(BodyIndex(b)), solution.bodies[b].alpha);
@@ -141,12 +161,20 @@ void for_each_result(const Solution& solution, See see) {
     for_each_power(solution, show);
     for (std::size_t b = 0; solution.truss && b < solution.truss->bars.size(); ++b)
         if (solution.truss->bars[b].force)
-            see(Quantity{.kind = Quantity::Kind::bar, .body = solution.truss->structure.bars[b].body},
-                Recorded<Exact>(Exact::from_double(solution.truss->tension(b, solution.pose.points))));
+            show(Quantity{.kind = Quantity::Kind::bar, .body = solution.truss->structure.bars[b].body},
+                 Recorded<Exact>(Exact::from_double(solution.truss->tension(b, solution.pose.points))));
     for_each_curvature(solution, show);
     for_each_force_in_part(solution, show);
     for (const auto& [name, coupler] : named_couplers(solution.mechanism, 0))
-        see(angle_of(coupler), Recorded<Exact>(Exact::from_double(transmission_angle(coupler, solution.pose))));
+        show(angle_of(coupler), Recorded<Exact>(Exact::from_double(transmission_angle(coupler, solution.pose))));
+    for_each_relative_motion(solution, show);
+}
+/// Of these the results that are known and have a name of their own: parts of a relative motion have none.
+template <class See>
+void for_each_result(const Solution& solution, See see) {
+    for_each_sought(solution, [&](const Quantity& quantity, const auto& found) {
+        if (found && quantity.part == Quantity::Part::whole) see(quantity, found);
+    });
 }
 
 }  // namespace kinegraph

@@ -1,8 +1,15 @@
 // The results as plain text for a terminal: one aligned table for each kind of quantity, in the units of the file.
 // Depends on no font.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
+#include "engine/results/quantity_name.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/displacements.hpp"
@@ -49,7 +56,9 @@ std::string table(const std::string& heading, const std::vector<Cells>& rows) {
 class Text {
 public:
     Text(const Solution& solution, Language language)
-        : solution_(solution), language_(language), magnitudes_(solution) {}
+        : solution_(solution), language_(language), magnitudes_(solution) {
+        for_each_sought(solution, [&](const Quantity& quantity, const auto& found) { take(quantity, found); });
+    }
 
     std::string write() const {
         const std::string& title = in(solution_.mechanism.title, language_);
@@ -90,6 +99,52 @@ private:
         if (magnitudes_.is_noise({.kind = kind}, length(v))) return value(0.0);
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
+    /// A result that is sought, with its value where it is known.
+    struct Sought {
+        Quantity quantity;
+        std::optional<std::variant<Exact, Vector>> value{};
+    };
+    template <class Value>
+    void take(const Quantity& quantity, const Recorded<Value>& found) {
+        Sought& sought = sought_.emplace_back(Sought{quantity});
+        if constexpr (std::is_same_v<Value, Exact> || std::is_same_v<Value, Vector>)
+            if (found) sought.value = *found;
+    }
+    /// A column of a table: a kind of results, or a part of them.
+    struct Of {
+        Kind kind;
+        Quantity::Part part = Quantity::Part::whole;
+    };
+    /// A row of a table: the results of one subject, by column; null where none is sought.
+    using Row = std::vector<const Sought*>;
+    /// A row for each subject, in the order of the solution.
+    std::vector<Row> rows_of(std::span<const Of> columns) const {
+        std::vector<std::pair<Quantity, Row>> rows;
+        for (const Sought& each : sought_)
+            for (std::size_t c = 0; c < columns.size(); ++c) {
+                if (each.quantity.kind != columns[c].kind || each.quantity.part != columns[c].part) continue;
+                Quantity subject = each.quantity;
+                subject.kind = Kind::unnamed;
+                subject.part = Quantity::Part::whole;
+                auto row =
+                    std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.first == subject; });
+                if (row == rows.end()) row = rows.emplace(rows.end(), subject, Row(columns.size()));
+                row->second[c] = &each;
+            }
+        std::vector<Row> all;
+        for (auto& [subject, row] : rows) all.push_back(std::move(row));
+        return all;
+    }
+    static bool is_known(const Sought* each) { return each != nullptr && each->value.has_value(); }
+    static const Vector& vector(const Sought& each) { return std::get<Vector>(*each.value); }
+    /// A scalar, or the length of a vector, in its unit; a dash where it is not known.
+    std::string cell(const Sought* each) const {
+        if (!is_known(each)) return "–";
+        const Unit unit =
+            kinegraph::unit_of(unit_kind_of(each->quantity, solution_.mechanism), solution_.mechanism.units);
+        if (const auto* scalar = std::get_if<Exact>(&*each->value)) return value(each->quantity, *scalar, unit);
+        return length_of(each->quantity.kind, vector(*each), unit);
+    }
     std::string colon() const { return word(lang::notation::colon, language_); }
     const std::string& body(BodyIndex index) const { return solution_.mechanism.body(index).name; }
 
@@ -108,18 +163,14 @@ private:
     std::string bodies() const {
         const Units& units = solution_.mechanism.units;
         const std::string alpha = plain(typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
-        const bool has_alpha = std::any_of(solution_.bodies.begin(), solution_.bodies.end(),
-                                           [](const BodyMotion& b) { return b.alpha.has_value(); });
+        const std::vector<Row> found = rows_of(std::array{Of{Kind::omega}, Of{Kind::alpha}});
+        const bool has_alpha = std::any_of(found.begin(), found.end(), [](const Row& row) { return is_known(row[1]); });
         std::vector<Cells> rows{{word(lang::sheet::body, language_), "ω [" + units.angular_velocity.symbol + "]"}};
         if (has_alpha) rows[0].push_back(alpha + " [rad/s²]");
-        for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
-            const BodyMotion& motion = solution_.bodies[b];
-            if (!motion.omega && !motion.alpha) continue;
-            const Quantity spin = omega_of(BodyIndex(b)), speeding = alpha_of(BodyIndex(b));
-            rows.push_back(
-                {body(BodyIndex(b)), motion.omega ? value(spin, *motion.omega, units.angular_velocity) : "–"});
-            if (has_alpha)
-                rows.back().push_back(motion.alpha ? value(speeding, *motion.alpha, Unit{"rad/s²", 1}) : "–");
+        for (const Row& row : found) {
+            if (!is_known(row[0]) && !is_known(row[1])) continue;
+            rows.push_back({body(row[0]->quantity.body), cell(row[0])});
+            if (has_alpha) rows.back().push_back(cell(row[1]));
         }
         return table(word(lang::sheet::bodies, language_), rows);
     }
@@ -129,24 +180,26 @@ private:
         const std::string v = velocity ? "v" : "a", in_unit = " [" + unit.symbol + "]";
         std::vector<Cells> rows{
             {word(lang::sheet::point, language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
-        for (const PointMotion& motion : solution_.points) {
-            const auto& vector = velocity ? motion.velocity : motion.acceleration;
-            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), frame) != motion.bodies.end())
-                continue;
-            const std::string& name = solution_.mechanism.point(motion.point).name;
-            std::string label = name;
-            const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
-                                             [&](const PointMotion& other) { return other.point == motion.point; });
-            if (twins > 1 && !motion.bodies.empty()) {
-                label += " " + word(lang::sheet::on, language_) + " ";
-                for (std::size_t i = 0; i < motion.bodies.size(); ++i)
-                    label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
-            }
-            const Quantity quantity = velocity ? velocity_of(motion) : acceleration_of(motion);
-            rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit),
-                            length_of(quantity.kind, *vector, unit)});
+        for (const Row& row : rows_of(std::array{Of{velocity ? Kind::velocity : Kind::acceleration}})) {
+            if (!is_known(row[0])) continue;
+            const Quantity& quantity = row[0]->quantity;
+            rows.push_back({carried(quantity), value(quantity, vector(*row[0]).x, unit),
+                            value(quantity, vector(*row[0]).y, unit), cell(row[0])});
         }
         return table(word(velocity ? lang::common::velocities : lang::common::accelerations, language_), rows);
+    }
+
+    /// "A", or "A on 3, 4" where other bodies have this point with another motion.
+    std::string carried(const Quantity& quantity) const {
+        std::string label = solution_.mechanism.point(quantity.point).name;
+        const auto is_of = [&](const PointMotion& motion) { return motion.point == quantity.point; };
+        if (std::count_if(solution_.points.begin(), solution_.points.end(), is_of) < 2) return label;
+        const auto own = std::find_if(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& motion) {
+            return is_of(motion) && velocity_of(motion).body == quantity.body;
+        });
+        for (std::size_t i = 0; own != solution_.points.end() && i < own->bodies.size(); ++i)
+            label += (i > 0 ? ", " : " " + word(lang::sheet::on, language_) + " ") + body(own->bodies[i]);
+        return label;
     }
 
     std::string sliding() const {
@@ -154,17 +207,14 @@ private:
         std::vector<Cells> rows{{word(lang::sheet::at, language_), "|v| [" + units.velocity.symbol + "]",
                                  "|a| [" + units.acceleration.symbol + "]",
                                  word(lang::sheet::coriolis, language_) + " [" + units.acceleration.symbol + "]"}};
-        for (const Sliding& each : solution_.sliding) {
-            const Joint& joint = solution_.mechanism.joint(each.joint);
+        for (const Row& row : rows_of(
+                 std::array{Of{Kind::sliding_velocity}, Of{Kind::sliding_acceleration}, Of{Kind::sliding_coriolis}})) {
+            const Joint& joint = solution_.mechanism.joint(row[0]->quantity.joint);
             std::string label = joint.name;
             if (joint.bodies.size() == 2)
                 label += colon() + body(joint.bodies[0]) + " " + word(lang::sheet::on, language_) + " " +
                          body(joint.bodies[1]);
-            rows.push_back(
-                {label, each.velocity ? length_of(Kind::sliding_velocity, *each.velocity, units.velocity) : "–",
-                 each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration)
-                                   : "–",
-                 each.coriolis ? length_of(Kind::sliding_coriolis, *each.coriolis, units.acceleration) : "–"});
+            rows.push_back({label, cell(row[0]), cell(row[1]), cell(row[2])});
         }
         return table(word(lang::sheet::sliding, language_), rows);
     }
@@ -175,15 +225,13 @@ private:
             {word(lang::sheet::point, language_), "|v| [" + units.velocity.symbol + "]",
              "|a| [" + units.acceleration.symbol + "]", named(Symbol::Letter::v, "tr", units.velocity),
              named(Symbol::Letter::a, "tr", units.acceleration), named(Symbol::Letter::a, "cor", units.acceleration)}};
-        const auto length_or_dash = [&](Kind kind, const Recorded<Vector>& found, const Unit& unit) {
-            return found ? length_of(kind, *found, unit) : "–";
-        };
-        for (const RelativeMotion& each : solution_.relative_motion) {
-            rows.push_back({observed(each), length_or_dash(Kind::velocity, each.relative_velocity, units.velocity),
-                            length_or_dash(Kind::acceleration, each.relative_acceleration, units.acceleration),
-                            length_or_dash(Kind::velocity, each.transport_velocity, units.velocity),
-                            length_or_dash(Kind::acceleration, each.transport_acceleration, units.acceleration),
-                            length_or_dash(Kind::acceleration, each.coriolis, units.acceleration)});
+        using Part = Quantity::Part;
+        for (const Row& row :
+             rows_of(std::array{Of{Kind::velocity, Part::relative}, Of{Kind::acceleration, Part::relative},
+                                Of{Kind::velocity, Part::transport}, Of{Kind::acceleration, Part::transport},
+                                Of{Kind::acceleration, Part::coriolis}})) {
+            Cells& cells = rows.emplace_back(Cells{observed(row[0]->quantity)});
+            for (const Sought* each : row) cells.push_back(cell(each));
         }
         return table(word(lang::sheet::relative_motion, language_), rows);
     }
@@ -191,14 +239,13 @@ private:
     std::string named(Symbol::Letter letter, const std::string& term, const Unit& unit) const {
         return "|" + plain(typeset(Symbol{letter, "", term}, language_)) + "| [" + unit.symbol + "]";
     }
-    std::string observed(const RelativeMotion& each) const {
+    std::string observed(const Quantity& part) const {
         const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
         const std::string observer =
-            each.query.translating_with != none
-                ? word(lang::sheet::seen_from_axes_translating_with, language_) + " " +
-                      point(each.query.translating_with)
-                : word(lang::sheet::seen_from_body, language_) + " " + body(each.query.observer);
-        return point(each.query.point) + " " + observer;
+            part.seen_from != none
+                ? word(lang::sheet::seen_from_axes_translating_with, language_) + " " + point(part.seen_from)
+                : word(lang::sheet::seen_from_body, language_) + " " + body(part.other);
+        return point(part.point) + " " + observer;
     }
     /// The transport terms, split at the origin of the moving axes.
     std::string apart() const {
@@ -210,7 +257,8 @@ private:
         for (const RelativeMotion& each : solution_.relative_motion) {
             if (!each.apart) continue;
             const RelativeMotion::Apart& parts = *each.apart;
-            rows.push_back({observed(each), solution_.mechanism.point(parts.origin).name,
+            rows.push_back({observed({.other = each.query.observer, .point = each.query.point}),
+                            solution_.mechanism.point(parts.origin).name,
                             length_of(Kind::velocity, *parts.origin_velocity, units.velocity),
                             length_of(Kind::velocity, *parts.turning_velocity, units.velocity),
                             length_of(Kind::acceleration, *parts.origin_acceleration, units.acceleration),
@@ -224,10 +272,12 @@ private:
         const Unit& unit = solution_.mechanism.units.angle;
         std::vector<Cells> rows{
             {word(lang::common::joint, language_), "γ [" + (unit.symbol == "deg" ? "°" : unit.symbol) + "]"}};
-        for (const auto& [column, coupler] : transmission_columns(solution_.mechanism, 0))
-            rows.push_back({solution_.mechanism.joint(coupler.pin).name + colon() + body(coupler.body) + " " +
-                                word(lang::sheet::on, language_) + " " + body(coupler.follower),
-                            value(transmission_angle(coupler, solution_.pose) / unit.si.to_double())});
+        for (const Row& row : rows_of(std::array{Of{Kind::transmission_angle}})) {
+            const Quantity& angle = row[0]->quantity;
+            rows.push_back({solution_.mechanism.joint(angle.joint).name + colon() + body(angle.other) + " " +
+                                word(lang::sheet::on, language_) + " " + body(angle.body),
+                            cell(row[0])});
+        }
         return table(word(lang::sheet::transmission_angles, language_), rows);
     }
 
@@ -279,9 +329,9 @@ private:
     /// W; positive where it drives.
     std::string powers() const {
         std::vector<Cells> rows{{"", word(lang::sheet::power, language_) + " [W]"}};
-        for_each_power(solution_, [&](const Quantity& quantity, const Recorded<Exact>& found) {
-            rows.push_back({subject_of_power(quantity), value(found->to_double())});
-        });
+        for (const Sought& each : sought_)
+            if (result_kind(each.quantity).unit == QuantityKind::power)
+                rows.push_back({subject_of_power(each.quantity), cell(&each)});
         return table(word(lang::sheet::powers, language_), rows);
     }
     std::string subject_of_power(const Quantity& power) const {
@@ -294,17 +344,12 @@ private:
     }
 
     std::string bars() const {
-        if (!solution_.truss) return {};
-        const Truss& truss = *solution_.truss;
         const Unit& unit = solution_.mechanism.units.force;
         std::vector<Cells> rows{{word(lang::sheet::bar, language_), "N [" + unit.symbol + "]", ""}};
-        for (std::size_t i = 0; i < truss.bars.size(); ++i) {
-            if (!truss.bars[i].force) continue;
-            const double force = truss.bars[i].force->is_zero() ? 0 : truss.tension(i, solution_.pose.points);
-            const Key sense = force > 0   ? lang::sheet::tension
-                              : force < 0 ? lang::sheet::compression
-                                          : lang::sheet::idle;
-            rows.push_back({truss.structure.bars[i].name, value(force / unit.si.to_double()), word(sense, language_)});
+        for (const Row& row : rows_of(std::array{Of{Kind::bar}})) {
+            const Exact& pull = std::get<Exact>(*row[0]->value);
+            const Key sense = pull > 0 ? lang::sheet::tension : pull < 0 ? lang::sheet::compression : lang::sheet::idle;
+            rows.push_back({subject_of(row[0]->quantity, solution_), cell(row[0]), word(sense, language_)});
         }
         return table(word(lang::sheet::bars, language_), rows);
     }
@@ -379,6 +424,7 @@ private:
     const Solution& solution_;
     Language language_;
     Magnitudes magnitudes_;
+    std::vector<Sought> sought_;
 };
 
 }  // namespace
