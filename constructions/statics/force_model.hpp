@@ -32,8 +32,8 @@ public:
     const std::vector<int>& bonds_of(MemberIndex member) const { return bonds_of_[at(member)]; }
     const std::vector<Load>& loads() const { return loads_.loads; }
     /// Inertia forces offset so that they include their couples, and their arms.
-    const std::vector<Added>& moved() const { return loads_.moved; }
-    const std::vector<Lever>& shifts() const { return loads_.shifts; }
+    const std::vector<Sum>& moved() const { return loads_.moved; }
+    const std::vector<Arm>& shifts() const { return loads_.shifts; }
     /// The point of a pin member.
     PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
 

@@ -1,5 +1,6 @@
 // Types of the force computation: bodies and pins as members, interactions of bodies (bonds), what is known of them in
-// one run, loads, wrenches, and intermediate constructions. Data only.
+// one run, loads, wrenches, and intermediate constructions. Data only. What engine/solution/forces.hpp tells of a
+// construction has its name here too: there its values, here its elements.
 #pragma once
 
 #include <optional>
@@ -87,7 +88,7 @@ struct Resolved {
 };
 
 /// The virtual motion that gave a force where no order of bodies led on.
-struct Released {
+struct VirtualMotion {
     struct Known {
         MemberIndex member;
         Force force;
@@ -110,7 +111,7 @@ struct Released {
 };
 
 /// An intermediate sum: not a load, but its line and magnitude are used in the construction.
-struct Added {
+struct Sum {
     Group group;  ///< on which the terms act
     Symbol symbol;
     Force force;
@@ -119,7 +120,7 @@ struct Added {
     StatementIndex statement = none;
 };
 /// The arm of a couple of two forces, about a place on the line of one of them.
-struct Lever {
+struct Arm {
     MemberIndex member;
     PlaceOnDrawing about;
     Force force;  ///< the other force
@@ -128,13 +129,13 @@ struct Lever {
     bool is_shift = false;  ///< the offset of a force that includes a couple
 };
 /// Members that were balanced as one.
-struct Balanced {
+struct TakenTogether {
     Group group;
     std::vector<int> sought;  ///< unknown bonds
     StatementIndex statement = none;
 };
 /// Pole, rays and strings of a funicular polygon.
-struct Strings {
+struct Funicular {
     Group group;
     Symbol first, second;
     std::vector<Symbol> known;
@@ -149,11 +150,11 @@ struct PartRun;
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
-    std::vector<Released> released;
-    std::vector<Added> added;
-    std::vector<Lever> levers;
-    std::vector<Balanced> balanced;
-    std::vector<Strings> strings;
+    std::vector<VirtualMotion> virtual_motions;
+    std::vector<Sum> sums;
+    std::vector<Arm> arms;
+    std::vector<TakenTogether> taken_together;
+    std::vector<Funicular> funiculars;
     std::vector<PartRun> parts;    ///< the terms, if this run is a sum; else empty
     StatementIndex summed = none;  ///< the sentence that adds them
     Group redundant;  ///< members with reactions that equilibrium leaves open, though there is an equilibrium

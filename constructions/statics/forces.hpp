@@ -29,8 +29,8 @@ struct ForceResults {
     std::vector<Message> remarks;
     std::vector<Resultant> resultants;  ///< of unsupported bodies
     std::optional<Truss> truss;         ///< if the mechanism is one; its bars are then not drawn as free bodies
-    std::vector<VirtualMotion> virtual_motions;
-    std::vector<TakenTogether> together;
+    std::vector<kinegraph::VirtualMotion> virtual_motions;
+    std::vector<kinegraph::TakenTogether> together;
     std::optional<Superposition> superposition;
 };
 

@@ -37,30 +37,30 @@ ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanis
     ForceResults results;
     const UnderLoads under{&model.loads()};
     ForcePolygons polygons(model, board);
-    Way way(model, board, mechanism, meets, under);
-    UnsupportedResultants resultants(model, board, mechanism, polygons, way, results);
+    IntermediateConstructions constructions(model, board, mechanism, meets, under);
+    UnsupportedResultants resultants(model, board, mechanism, polygons, constructions, results);
     for (const Unsupported& each : loose) resultants.resultant(each);
     const std::set<MemberIndex>& unbalanced = resultants.unbalanced();
-    Verdict verdict(model, board, mechanism, mobility, under);
-    std::set<MemberIndex> open = verdict.out_of_equilibrium(run);
+    ForceDeterminacy determinacy(model, board, mechanism, mobility, under);
+    std::set<MemberIndex> open = determinacy.out_of_equilibrium(run);
     for (const MemberIndex member : unbalanced) open.erase(member);
-    const bool balanced = open.empty(), complete = verdict.is_complete(run, unbalanced);
-    if (!complete || !balanced) verdict.explain(run, balanced, results);
-    FoundValues values(model, board, mechanism, way, results);
+    const bool balanced = open.empty(), complete = determinacy.is_complete(run, unbalanced);
+    if (!complete || !balanced) determinacy.explain(run, balanced, results);
+    FoundValues values(model, board, mechanism, constructions, results);
     open.insert(unbalanced.begin(), unbalanced.end());
     for (std::size_t b = 0; b < model.bonds().size(); ++b) {
         const Bond& bond = model.bonds()[b];
         values.collect_bond(bond, run.reactions[b], open.count(bond.first) == 0 && open.count(bond.second) == 0);
     }
     if ((!complete && run.redundant.empty()) || !balanced) return results;
-    CutBodies bodies(model, board, polygons, way, under, one_by_one, results);
+    CutBodies bodies(model, board, polygons, constructions, under, one_by_one, results);
     if (one_by_one) bodies.draw_bodies(run, unbalanced);
-    for (const Released& released : run.released) values.virtual_motion(released);
+    for (const VirtualMotion& drawn : run.virtual_motions) values.virtual_motion(drawn);
     if (complete && one_by_one) polygons.join_polygons();
     bodies.cut_together(run);
     if (complete && one_by_one && !run.parts.empty())
         results.superposition = Superposing(model, board, mechanism, mobility, meets).superpose(run);
-    verdict.remark_lift_off(run, results);
+    determinacy.remark_lift_off(run, results);
     return results;
 }
 

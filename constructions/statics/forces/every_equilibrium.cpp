@@ -186,11 +186,11 @@ std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::
         if (apart) symbol.term += (symbol.term.empty() ? "" : ",") + axis_of(alike, is_second);
         say_work(b, std::move(symbol), each.direction, each.motion, all, run);
         if (all.follows_motions()) {
-            Released& released = run.released.back();
+            VirtualMotion& motion = run.virtual_motions.back();
             if (is_second && force)  // its other part is known by then
                 for (const MemberIndex member : {model_.bonds()[at(b)].first, model_.bonds()[at(b)].second})
-                    released.known.push_back({member, *force, model_.bonds()[at(b)].place});
-            if (!each.vanishes) released.force = each.force;
+                    motion.known.push_back({member, *force, model_.bonds()[at(b)].place});
+            if (!each.vanishes) motion.force = each.force;
         }
         if (!each.vanishes) force = force ? board_.add(*force, each.force) : each.force;
     }
@@ -204,9 +204,9 @@ std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibri
     symbol.letter = Symbol::Letter::M;
     say_work(b, std::move(symbol), std::nullopt, alike.couple->motion, all, run);
     if (!all.follows_motions()) return alike.couple->couple;
-    run.released.back().couple = alike.couple->couple;
+    run.virtual_motions.back().couple = alike.couple->couple;
     if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
-        run.released.back().couple = board_.opposite(*alike.couple->couple);  // with the sign of the symbol
+        run.virtual_motions.back().couple = board_.opposite(*alike.couple->couple);  // with the sign of the symbol
     return alike.couple->couple;
 }
 
@@ -249,7 +249,7 @@ void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilib
     }
     reaction.couple = said_couple(b, alike, all, run);
     reaction.couple_alike = alike.couple.has_value();
-    const bool said = !run.released.empty() && run.released.back().bond == b;
+    const bool said = !run.virtual_motions.empty() && run.virtual_motions.back().bond == b;
     reaction.force_statement = said || !all.follows_motions() ? said_.last() : reaction.line_statement;
 }
 
@@ -264,10 +264,10 @@ void EveryEquilibrium::say_translation(const Group& moved, const Symbol& symbol,
 void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along,
                                 const Equilibria::Motion& motion, Equilibria& all, Run& run) {
     if (!all.follows_motions()) return;  // one sentence for all
-    Released released;
-    released.bond = b;
-    released.sought = symbol;
-    released.along = along;
+    VirtualMotion drawn;
+    drawn.bond = b;
+    drawn.sought = symbol;
+    drawn.along = along;
     const bool of_bodies = std::any_of(motion.members.begin(), motion.members.end(),
                                        [&](const auto& each) { return !model_.is_pin(each.first); });
     Group moved;
@@ -275,11 +275,11 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
     for (const auto& [member, twist] : motion.members) {
         if (of_bodies && model_.is_pin(member)) continue;
         moved.push_back(member);
-        Released::Turning each{member, twist.turn, all.centre(twist), {}};
+        VirtualMotion::Turning each{member, twist.turn, all.centre(twist), {}};
         if (each.centre) each.name = said_.name_at(moved, *each.centre);
         (each.centre ? turning : translating).push_back(model_.member_name(member));
         if (each.centre) centres.push_back(each.name);
-        released.members.push_back(std::move(each));
+        drawn.members.push_back(std::move(each));
     }
     // A common centre is named once.
     if (std::adjacent_find(centres.begin(), centres.end(), std::not_equal_to<>()) == centres.end())
@@ -292,11 +292,11 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
     } else {
         said_.say(told().virtual_work, {symbol, turning, centres, translating}, "", moved);
     }
-    released.statement = said_.last();
-    if (is_only_) released.known = known_on(moved, run);
+    drawn.statement = said_.last();
+    if (is_only_) drawn.known = known_on(moved, run);
     if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)
         run.reactions[at(b)].line_statement = said_.last();
-    run.released.push_back(std::move(released));
+    run.virtual_motions.push_back(std::move(drawn));
 }
 
 const EveryEquilibrium::Told& EveryEquilibrium::told() const {
@@ -307,8 +307,8 @@ const EveryEquilibrium::Told& EveryEquilibrium::told() const {
     return is_only_ ? only : shared;
 }
 
-std::vector<Released::Known> EveryEquilibrium::known_on(const Group& moved, const Run& run) const {
-    std::vector<Released::Known> known;
+std::vector<VirtualMotion::Known> EveryEquilibrium::known_on(const Group& moved, const Run& run) const {
+    std::vector<VirtualMotion::Known> known;
     for (const MemberIndex member : moved)
         for (const int b : model_.bonds_of(member)) {
             const Reaction& reaction = run.reactions[at(b)];

@@ -73,7 +73,7 @@ private:
     };
     const Told& told() const;
     /// Known reactions on the bodies of a motion, which do work in it.
-    std::vector<Released::Known> known_on(const Group& moved, const Run& run) const;
+    std::vector<VirtualMotion::Known> known_on(const Group& moved, const Run& run) const;
 
     ForceModel& model_;
     Board& board_;

@@ -6,7 +6,7 @@
 
 namespace kinegraph::statics {
 
-std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vector<Actor> actors, Force sum,
+std::optional<Funicular> FunicularPolygons::drawn(const Group& group, std::vector<Actor> actors, Force sum,
                                                   const Action& line, PlaceOnDrawing place) {
     const bool several = group.size() > 1;
     const std::size_t most = several ? 12 : 6;
@@ -15,7 +15,7 @@ std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vecto
     if (!std::all_of(actors.begin(), actors.end(), [](const Actor& actor) { return actor.force.has_value(); }))
         return std::nullopt;
     sort_along(actors, place, line.place);
-    Strings found;
+    Funicular found;
     found.group = group;
     found.corners = {board_.pole<Plane::force>()};
     for (const Actor& actor : actors) {
@@ -27,24 +27,23 @@ std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vecto
         for (const auto pole : poles(found.corners, sum, several)) {
             const Board::Mark before = board_.mark();
             found.pole = pole;
-            if (draw_strings(found, actors, line, place) &&
-                !(several && is_deep(found.vertices, actors, line, deepest)))
+            if (draw(found, actors, line, place) && !(several && is_deep(found.vertices, actors, line, deepest)))
                 return found;
             board_.rewind(before);
         }
     return std::nullopt;
 }
 
-std::pair<Force, Force> FunicularPolygons::by_strings(Strings found, int line, int pin, Force sum, const Group& group,
-                                                      Run& run) {
+std::pair<Force, Force> FunicularPolygons::by_funicular(Funicular found, int line, int pin, Force sum,
+                                                        const Group& group, Run& run) {
     found.statement = said_.last();
     found.first = said_.symbol_on(line, group);
     found.second = said_.symbol_on(pin, group);
     if (found.resultant)
-        run.added.push_back({group, said_.resultant_symbol(group), sum, *found.resultant, {}, said_.last()});
+        run.sums.push_back({group, said_.resultant_symbol(group), sum, *found.resultant, {}, said_.last()});
     const Force first = board_.vector(found.corners.back(), found.dividing);
     const Force second = board_.vector(found.dividing, found.corners.front());
-    run.strings.push_back(std::move(found));
+    run.funiculars.push_back(std::move(found));
     return {first, second};
 }
 
@@ -68,8 +67,8 @@ void FunicularPolygons::sort_along(std::vector<Actor>& actors, PlaceOnDrawing fr
     });
 }
 
-bool FunicularPolygons::draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line,
-                                     PlaceOnDrawing place) {
+bool FunicularPolygons::draw(Funicular& found, const std::vector<Actor>& actors, const Action& line,
+                             PlaceOnDrawing place) {
     found.vertices = {place};
     found.resultant.reset();
     std::optional<LineOn<drawing>> outer;

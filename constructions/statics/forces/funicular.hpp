@@ -18,10 +18,10 @@ public:
     /// Strings for forces along a line and at a place off it that balance known ones. None if the drawing would be
     /// unreadable (for a pin, for a couple, for very many forces, too deep for the sheet) or a string does
     /// not meet its line.
-    std::optional<Strings> strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
+    std::optional<Funicular> drawn(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
                                    PlaceOnDrawing place);
     /// Both reactions, and the strings for the last sentence.
-    std::pair<Force, Force> by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run);
+    std::pair<Force, Force> by_funicular(Funicular found, int line, int pin, Force sum, const Group& group, Run& run);
     /// Whether the meet is too far away to draw; for a structure as one free body: farther away than its own extent.
     bool is_far(const Group& group, PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two);
 
@@ -29,7 +29,7 @@ private:
     /// Sorts known forces along the line on which they are drawn, from the place to the line.
     void sort_along(std::vector<Actor>& actors, PlaceOnDrawing from, PlaceOnDrawing to);
     /// Draws strings from the place, from known line to known line; false if a string does not meet its line.
-    bool draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place);
+    bool draw(Funicular& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place);
     /// Candidate poles beside the middle of the sum. For several bodies also farther along it: then the strings are
     /// oblique to the sum and can reach lines that its perpendicular would miss.
     std::vector<PointOn<Plane::force>> poles(const std::vector<PointOn<Plane::force>>& corners, Force sum,

@@ -180,7 +180,7 @@ private:
 
     void move_inertia(const Load& force, const Load& couple) {
         if (force.member == member_of(frame) || board_.is_zero(*force.force) || board_.is_zero(*couple.couple)) return;
-        Added one{{force.member}, force.symbol, *force.force, {}, {}, none};
+        Sum one{{force.member}, force.symbol, *force.force, {}, {}, none};
         one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
         one.statement = say_of_load(
             force,

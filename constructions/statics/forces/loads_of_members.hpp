@@ -19,8 +19,8 @@ using PinMembers = std::map<JointIndex, MemberIndex>;
 struct LoadsOfMembers {
     std::vector<Load> loads;  ///< none that vanishes, none on the frame
     /// Inertia forces offset so that they include their couples, and their arms.
-    std::vector<Added> moved;
-    std::vector<Lever> shifts;
+    std::vector<Sum> moved;
+    std::vector<Arm> shifts;
     /// Why loads could not be read (an inertia force without an acceleration, a spring without length).
     std::vector<Unsolved> missing;
 };

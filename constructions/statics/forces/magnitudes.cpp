@@ -31,7 +31,7 @@ bool Magnitudes::magnitudes(const Group& group, const std::vector<Load>& loads, 
         done = three_lines(group, fixed, known, loads, run);
     }
     if (done) known_.note(group, run);
-    if (done && group.size() > 1) run.balanced.push_back({group, unknown, said_.last()});
+    if (done && group.size() > 1) run.taken_together.push_back({group, unknown, said_.last()});
     return done;
 }
 
@@ -106,16 +106,16 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
         const auto met = board_.meet(model_.line_of(known), given.line);
         if (board_.coincide(*met, place)) return false;
         const bool far = funicular_.is_far(group, *met, place, known.place, given.place);
-        if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
+        if (several_by_funicular(group, line, pin, known, far, loads, run)) return true;
         resultants_.say_resultant(group, known, loads, run);
         if (far)
-            if (auto found = funicular_.strings(
+            if (auto found = funicular_.drawn(
                     group, {{resultants_.symbol_of_known(group, loads, run), known.force, known.place, -1}},
                     *known.force, given, place)) {
                 said_.say_of(group, lang::sentences::funicular_far,
                              {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Culmann");
                 const auto [along, at_pin] =
-                    funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+                    funicular_.by_funicular(*std::move(found), line, pin, *known.force, group, run);
                 settled_.settle(line, along, given.place, group, run);
                 settled_.settle(pin, at_pin, place, group, run);
                 return true;
@@ -132,10 +132,11 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
     }
     if (known.force)
         if (auto found =
-                funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
-            say_strings(group, lang::sentences::funicular_parallel,
-                        {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
-            const auto [first, second] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+                funicular_.drawn(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
+            say_funicular(group, lang::sentences::funicular_parallel,
+                          {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
+            const auto [first, second] =
+                funicular_.by_funicular(*std::move(found), line, pin, *known.force, group, run);
             settled_.settle(line, first, given.place, group, run);
             settled_.settle(pin, second, place, group, run);
             return true;
@@ -149,25 +150,26 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
     return true;
 }
 
-bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far,
-                                    const std::vector<Load>& loads, Run& run) {
+bool Magnitudes::several_by_funicular(const Group& group, int line, int pin, const Wrench& known, bool far,
+                                      const std::vector<Load>& loads, Run& run) {
     if (!known_.is_whole(group)) return false;
     const std::vector<Actor> actors = resultants_.actors_on(group, loads, run);
     if (actors.size() < (far ? 2U : 3U)) return false;
     const Action given = *run.reactions[at(line)].action;
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
-    auto found = funicular_.strings(group, actors, *known.force, given, place);
+    auto found = funicular_.drawn(group, actors, *known.force, given, place);
     if (!found) return false;
-    say_strings(group, lang::sentences::funicular_several,
-                {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known}, *found);
-    const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+    say_funicular(group, lang::sentences::funicular_several,
+                  {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known}, *found);
+    const auto [along, at_pin] = funicular_.by_funicular(*std::move(found), line, pin, *known.force, group, run);
     settled_.settle(line, along, given.place, group, run);
     settled_.settle(pin, at_pin, place, group, run);
     return true;
 }
 
 /// The resultant passes through the intersection of the outer strings, which gets a name.
-void Magnitudes::say_strings(const Group& group, Key sentence, std::vector<Argument> arguments, const Strings& found) {
+void Magnitudes::say_funicular(const Group& group, Key sentence, std::vector<Argument> arguments,
+                               const Funicular& found) {
     if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
     said_.say_of(group, sentence, std::move(arguments), "Culmann");
 }
@@ -231,11 +233,11 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
     }
     if (couple >= 0) return false;
     if (balance_.is_along(known, first) && !board_.on_line(second.place, first.line))
-        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first,
-                                            second.place)) {
-            say_strings(group, lang::sentences::funicular_parallel,
-                        {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
-            const auto [x, y] = funicular_.by_strings(*std::move(found), one, two, *known.force, group, run);
+        if (auto found =
+                funicular_.drawn(group, resultants_.actors_on(group, loads, run), *known.force, first, second.place)) {
+            say_funicular(group, lang::sentences::funicular_parallel,
+                          {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
+            const auto [x, y] = funicular_.by_funicular(*std::move(found), one, two, *known.force, group, run);
             settled_.settle(one, x, first.place, group, run);
             settled_.settle(two, y, second.place, group, run);
             return true;

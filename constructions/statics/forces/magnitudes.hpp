@@ -35,9 +35,9 @@ private:
                       Run& run);
     /// More than two forces of several directions on a structure, or two whose sum meets the line too `far` away: one
     /// funicular polygon adds them and resolves the sum.
-    bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far,
-                            const std::vector<Load>& loads, Run& run);
-    void say_strings(const Group& group, Key sentence, std::vector<Argument> arguments, const Strings& found);
+    bool several_by_funicular(const Group& group, int line, int pin, const Wrench& known, bool far,
+                              const std::vector<Load>& loads, Run& run);
+    void say_funicular(const Group& group, Key sentence, std::vector<Argument> arguments, const Funicular& found);
     /// `couple_too`: the pair can transmit a couple, and it vanishes.
     void say_no_force_along(const Group& group, int nothing, int all, bool couple_too);
     /// A guide takes its force at any place: the triangle gives the forces, the remaining moment is the guide's couple.

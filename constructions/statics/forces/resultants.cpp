@@ -59,26 +59,26 @@ void Resultants::say_resultant(const Group& group, const Wrench& known, const st
     if (!known.force) return;
     const std::vector<Actor> actors = actors_on(group, loads, run);
     if (actors.size() < 2 || actors.size() > most) return;
-    Added added{group, {}, *known.force, known.place, {}, none};
-    added.symbol = said_.resultant_symbol(group);
+    Sum sum{group, {}, *known.force, known.place, {}, none};
+    sum.symbol = said_.resultant_symbol(group);
     Symbols forces, couples;
     Wrench alone;  // the forces, without the couples
     for (const Actor& actor : actors) {
         (actor.force ? forces : couples).push_back(actor.symbol);
         if (actor.force) alone = model_.sum(alone, {actor.force, actor.place, {}});
-        if (actor.bond >= 0) added.bonds.push_back(actor.bond);
+        if (actor.bond >= 0) sum.bonds.push_back(actor.bond);
     }
     // First the sum of the forces, then its offset for a couple, as drawn.
     const bool in_two_steps = forces.size() > 1 && couples.size() == 1 && alone.force;
     Symbols symbols = forces;
     if (!in_two_steps) symbols.insert(symbols.end(), couples.begin(), couples.end());
-    said_.say_of(group, lang::sentences::known_resultant, {std::move(symbols), added.symbol});
-    added.statement = said_.last();
-    if (in_two_steps) said_.say_of(group, lang::sentences::inertia_moved, {added.symbol, couples.front()});
+    said_.say_of(group, lang::sentences::known_resultant, {std::move(symbols), sum.symbol});
+    sum.statement = said_.last();
+    if (in_two_steps) said_.say_of(group, lang::sentences::inertia_moved, {sum.symbol, couples.front()});
     const bool is_moved = !couples.empty() && alone.force;
     if (is_moved && group.size() == 1 && !model_.is_pin(group.front()))
-        run.levers.push_back({group.front(), alone.place, *known.force, known.place, said_.last(), true});
-    run.added.push_back(std::move(added));
+        run.arms.push_back({group.front(), alone.place, *known.force, known.place, said_.last(), true});
+    run.sums.push_back(std::move(sum));
 }
 
 Symbol Resultants::symbol_of_known(const Group& group, const std::vector<Load>& loads, const Run& run) {
@@ -96,15 +96,15 @@ std::optional<PlaceOnDrawing> Resultants::meet_of_resultant(const Group& group, 
 void Resultants::note_culmann(const Group& group, int one, const std::string& names, Force force, PlaceOnDrawing met,
                               const std::vector<Load>& loads, Run& run) {
     if (board_.is_zero(force)) return;
-    Added added{group, said_.with_mark({Symbol::Letter::F, names, {}}), force, met, {one}, said_.last()};
+    Sum sum{group, said_.with_mark({Symbol::Letter::F, names, {}}), force, met, {one}, said_.last()};
     for (const Actor& actor : actors_on(group, loads, run))
-        if (actor.bond >= 0) added.bonds.push_back(actor.bond);
-    run.added.push_back(std::move(added));
+        if (actor.bond >= 0) sum.bonds.push_back(actor.bond);
+    run.sums.push_back(std::move(sum));
 }
 
 void Resultants::note_lever(const Group& group, PlaceOnDrawing about, Force force, PlaceOnDrawing place, Run& run) {
     if (group.size() > 1 || model_.is_pin(group.front())) return;
-    run.levers.push_back({group.front(), about, force, place, said_.last(), false});
+    run.arms.push_back({group.front(), about, force, place, said_.last(), false});
 }
 
 void Resultants::note_couple_of_two(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {

@@ -23,27 +23,26 @@ bool CutBodies::is_whole(MemberIndex member, const Run& run) const {
 }
 
 void CutBodies::cut_together(const Run& run) {
-    for (const Balanced& balanced : run.balanced) {
-        const std::vector<int> outer = model_.outer_bonds(balanced.group);
+    for (const TakenTogether& taken : run.taken_together) {
+        const std::vector<int> outer = model_.outer_bonds(taken.group);
         if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
-        const Strings* strings = strings_of(balanced, run);
+        const Funicular* funicular = funicular_of(taken, run);
         // The plan of a truss contains the closed polygon, but not the rays or Culmann's diagonal.
-        if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
+        if (!one_by_one_ && funicular == nullptr && !has_diagonal(taken, run)) continue;
         std::vector<std::pair<MemberIndex, Side>> sides;
         for (const Load& load : *under_.loads)
-            if (load.force && in(balanced.group, load.member) &&
-                !ForceModel::is_inner(load, balanced.group, *under_.loads))
-                sides.push_back({load.member,
-                                 {load.symbol, *load.force, -1, true,
-                                  quantity_of(way_.empty_body(load.member), way_.applied_load(load))}});
+            if (load.force && in(taken.group, load.member) && !ForceModel::is_inner(load, taken.group, *under_.loads))
+                sides.push_back(
+                    {load.member,
+                     {load.symbol, *load.force, -1, true,
+                      quantity_of(constructions_.empty_body(load.member), constructions_.applied_load(load))}});
         for (const bool sought : {false, true})
             for (const int b : outer) {
-                const bool is_sought =
-                    std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+                const bool is_sought = std::find(taken.sought.begin(), taken.sought.end(), b) != taken.sought.end();
                 const Reaction& reaction = run.reactions[at(b)];
                 if (is_sought != sought || !reaction.force) continue;
                 const Bond& bond = model_.bonds()[at(b)];
-                const bool on_first = in(balanced.group, bond.first);
+                const bool on_first = in(taken.group, bond.first);
                 sides.push_back({on_first ? bond.first : bond.second,
                                  {marked(on_first ? bond.symbol : bond.reverse, under_.mark),
                                   on_first ? *reaction.force : board_.negate(*reaction.force),
@@ -51,24 +50,24 @@ void CutBodies::cut_together(const Run& run) {
                                   true,
                                   {}}});
             }
-        if (sides.size() > 2) draw_together(balanced, std::move(sides), strings, run);
+        if (sides.size() > 2) draw_together(taken, std::move(sides), funicular, run);
     }
 }
 
 void CutBodies::free_body(MemberIndex member, const Run& run) {
-    CutBody cut{way_.empty_body(member), {}};
+    CutBody cut{constructions_.empty_body(member), {}};
     FreeBody& body = cut.body;
     body.in_parts = run.in_parts;
     for (const Load& load : *under_.loads)
-        if (load.member == member) apply(cut, way_.applied_load(load), load.force, -1);
+        if (load.member == member) apply(cut, constructions_.applied_load(load), load.force, -1);
     for (const int b : model_.bonds_of(member)) apply_reaction(cut, member, b, run.reactions[at(b)]);
-    way_.list_meets(member, body);
-    const std::vector<const Added*> leading = way_.add_way(member, run, body);
+    constructions_.list_meets(member, body);
+    const std::vector<const Sum*> leading = constructions_.add_to(member, run, body);
     const bool whole = is_whole(member, run);
     if (!whole) body.statement = none;  // no single sentence closes it
     if (!cut.sides.empty() && whole) {
-        way_.put_in_order(cut.sides, leading);
-        if (body.funicular) way_.put_in_order(cut.sides, *body.funicular);
+        constructions_.put_in_order(cut.sides, leading);
+        if (body.funicular) constructions_.put_in_order(cut.sides, *body.funicular);
         body.polygon = polygons_.draw_polygon(member, cut.sides, under_.suffix());
         polygons_.keep(member, std::move(cut.sides));
     }
@@ -89,7 +88,8 @@ void CutBodies::apply(CutBody& cut, AppliedForce applied, const std::optional<Fo
 void CutBodies::apply_reaction(CutBody& cut, MemberIndex member, int b, const Reaction& reaction) {
     const Bond& bond = model_.bonds()[at(b)];
     const bool reversed = bond.second == member;
-    for (Symbol& symbol : Verdict::open_symbols(bond, reaction, reversed)) cut.body.open.push_back(std::move(symbol));
+    for (Symbol& symbol : ForceDeterminacy::open_symbols(bond, reaction, reversed))
+        cut.body.open.push_back(std::move(symbol));
     if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) return;
     AppliedForce applied = applied_reaction(bond, reaction, reversed);
     cut.body.statement = std::max(cut.body.statement, reaction.force_statement);
@@ -125,49 +125,49 @@ AppliedForce CutBodies::applied_reaction(const Bond& bond, const Reaction& react
     return applied;
 }
 
-bool CutBodies::has_diagonal(const Balanced& balanced, const Run& run) {
+bool CutBodies::has_diagonal(const TakenTogether& taken, const Run& run) {
     const auto is_sought = [&](int b) {
-        return std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+        return std::find(taken.sought.begin(), taken.sought.end(), b) != taken.sought.end();
     };
-    return std::any_of(run.added.begin(), run.added.end(), [&](const Added& added) {
-        return added.group == balanced.group && std::any_of(added.bonds.begin(), added.bonds.end(), is_sought);
+    return std::any_of(run.sums.begin(), run.sums.end(), [&](const Sum& sum) {
+        return sum.group == taken.group && std::any_of(sum.bonds.begin(), sum.bonds.end(), is_sought);
     });
 }
 
-const Strings* CutBodies::strings_of(const Balanced& balanced, const Run& run) {
-    const auto found = std::find_if(run.strings.begin(), run.strings.end(), [&](const Strings& strings) {
-        return strings.group == balanced.group && strings.statement == balanced.statement;
+const Funicular* CutBodies::funicular_of(const TakenTogether& taken, const Run& run) {
+    const auto found = std::find_if(run.funiculars.begin(), run.funiculars.end(), [&](const Funicular& funicular) {
+        return funicular.group == taken.group && funicular.statement == taken.statement;
     });
-    return found == run.strings.end() ? nullptr : &*found;
+    return found == run.funiculars.end() ? nullptr : &*found;
 }
 
-void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides,
-                              const Strings* strings, const Run& run) {
-    TakenTogether together;
-    together.statement = balanced.statement;
-    if (strings != nullptr) {
-        together.funicular = way_.funicular(*strings);
+void CutBodies::draw_together(const TakenTogether& taken, std::vector<std::pair<MemberIndex, Side>> sides,
+                              const Funicular* funicular, const Run& run) {
+    kinegraph::TakenTogether together;
+    together.statement = taken.statement;
+    if (funicular != nullptr) {
+        together.funicular = constructions_.funicular(*funicular);
         std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-            return way_.rank_in(*together.funicular, a.second.symbol) <
-                   way_.rank_in(*together.funicular, b.second.symbol);
+            return constructions_.rank_in(*together.funicular, a.second.symbol) <
+                   constructions_.rank_in(*together.funicular, b.second.symbol);
         });
     }
     std::string id = one_by_one_ ? "forces" : "forces-truss";
-    for (const MemberIndex member : balanced.group)
+    for (const MemberIndex member : taken.group)
         if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
     // For one body and its pin it is not the body's own polygon.
-    for (const MemberIndex member : balanced.group)
+    for (const MemberIndex member : taken.group)
         if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2))
             id += "-" + model_.member_name(member);
-    std::vector<const Added*> leading;
-    for (const Added& added : run.added)
-        if (added.group == balanced.group) {
-            together.sums.push_back(way_.applied_sum(added));
-            leading.push_back(&added);
+    std::vector<const Sum*> leading;
+    for (const Sum& sum : run.sums)
+        if (sum.group == taken.group) {
+            together.sums.push_back(constructions_.applied_sum(sum));
+            leading.push_back(&sum);
         }
-    if (strings == nullptr)
+    if (funicular == nullptr)
         std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-            return way_.rank_in(leading, a.second) < way_.rank_in(leading, b.second);
+            return constructions_.rank_in(leading, a.second) < constructions_.rank_in(leading, b.second);
         });
     together.polygon = polygons_.add_force_polygon(Polygon::Kind::body_forces, id + under_.suffix());
     Face face;

@@ -12,12 +12,12 @@ namespace kinegraph::statics {
 
 class CutBodies {
 public:
-    CutBodies(ForceModel& model, Board& board, ForcePolygons& polygons, Way& way, const UnderLoads& under,
-              bool one_by_one, ForceResults& results)
+    CutBodies(ForceModel& model, Board& board, ForcePolygons& polygons, IntermediateConstructions& constructions,
+              const UnderLoads& under, bool one_by_one, ForceResults& results)
         : model_(model),
           board_(board),
           polygons_(polygons),
-          way_(way),
+          constructions_(constructions),
           under_(under),
           one_by_one_(one_by_one),
           results_(results) {}
@@ -42,16 +42,16 @@ private:
     /// The reaction without its values, at the bond's place.
     AppliedForce applied_reaction(const Bond& bond, const Reaction& reaction, bool reversed) const;
     /// Whether known forces were added to an unknown one, which gives the polygon a diagonal.
-    static bool has_diagonal(const Balanced& balanced, const Run& run);
+    static bool has_diagonal(const TakenTogether& taken, const Run& run);
     /// The strings by which the group was balanced; null if it was balanced otherwise.
-    static const Strings* strings_of(const Balanced& balanced, const Run& run);
-    void draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides,
-                       const Strings* strings, const Run& run);
+    static const Funicular* funicular_of(const TakenTogether& taken, const Run& run);
+    void draw_together(const TakenTogether& taken, std::vector<std::pair<MemberIndex, Side>> sides,
+                       const Funicular* funicular, const Run& run);
 
     ForceModel& model_;
     Board& board_;
     ForcePolygons& polygons_;
-    Way& way_;
+    IntermediateConstructions& constructions_;
     const UnderLoads& under_;
     bool one_by_one_;
     ForceResults& results_;

@@ -10,7 +10,7 @@
 
 namespace kinegraph::statics {
 
-std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
+std::set<MemberIndex> ForceDeterminacy::out_of_equilibrium(const Run& run) {
     Group found;
     for (const MemberIndex member : model_.moving_members()) {
         const auto& bonds = model_.bonds_of(member);
@@ -30,13 +30,13 @@ std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
     return open;
 }
 
-bool Verdict::is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const {
+bool ForceDeterminacy::is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const {
     for (std::size_t b = 0; b < model_.bonds().size(); ++b)
         if (!run.reactions[b].known && unbalanced.count(model_.bonds()[b].first) == 0) return false;
     return true;
 }
 
-void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
+void ForceDeterminacy::explain(const Run& run, bool balanced, ForceResults& results) {
     Symbols open;
     for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
         for (Symbol& symbol :
@@ -46,7 +46,7 @@ void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
     results.unsolved.push_back({{lang::phrases::all_forces, {}}, reason(std::move(open))});
 }
 
-void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
+void ForceDeterminacy::remark_lift_off(const Run& run, ForceResults& results) {
     for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
         const JointIndex joint = model_.bonds()[b].joint;
         if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
@@ -54,7 +54,7 @@ void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
     }
 }
 
-Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool reversed) {
+Symbols ForceDeterminacy::open_symbols(const Bond& bond, const Reaction& reaction, bool reversed) {
     Symbols open;
     if (reaction.known) return open;
     Symbol symbol = reversed ? bond.reverse : bond.symbol;
@@ -73,7 +73,7 @@ Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool r
     return open;
 }
 
-bool Verdict::moves_freely() {
+bool ForceDeterminacy::moves_freely() {
     Run nothing_known;
     nothing_known.reactions.resize(model_.bonds().size());
     const Board::Mark before = board_.mark();
@@ -90,7 +90,7 @@ bool Verdict::moves_freely() {
     return moves;
 }
 
-Message Verdict::reason(Symbols open) {
+Message ForceDeterminacy::reason(Symbols open) {
     const auto efforts = static_cast<int>(mechanism_.efforts.size());
     const Count freedoms{mobility_.effective};
     if (efforts < mobility_.effective) return {lang::phrases::unbalanced, {freedoms, Count{efforts}, std::move(open)}};

@@ -8,10 +8,10 @@
 
 namespace kinegraph::statics {
 
-class Verdict {
+class ForceDeterminacy {
 public:
-    Verdict(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
-            const UnderLoads& under)
+    ForceDeterminacy(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                     const UnderLoads& under)
         : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), under_(under) {}
 
     /// Members that do not balance though all their bonds are known, and those connected to them by known bonds (not

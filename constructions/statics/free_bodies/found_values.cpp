@@ -51,41 +51,41 @@ void FoundValues::collect_bond(const Bond& bond, const Reaction& reaction, bool 
     results_.joints.push_back(on_second);
 }
 
-void FoundValues::virtual_motion(const Released& released) {
-    VirtualMotion motion;
-    motion.statement = released.statement;
-    motion.sought = released.sought;
-    if (released.along)
-        motion.force = recorded(released.force);
+void FoundValues::virtual_motion(const VirtualMotion& drawn) {
+    kinegraph::VirtualMotion motion;
+    motion.statement = drawn.statement;
+    motion.sought = drawn.sought;
+    if (drawn.along)
+        motion.force = recorded(drawn.force);
     else
-        motion.couple = recorded(released.couple);
-    for (const Released::Turning& turning : released.members) {
+        motion.couple = recorded(drawn.couple);
+    for (const VirtualMotion::Turning& turning : drawn.members) {
         if (model_.is_pin(turning.member)) continue;
         motion.bodies.push_back({model_.body_of(turning.member), {}});
         if (turning.omega) motion.bodies.back().omega = Recorded<Exact>::at(turning.omega->element);
-        if (turning.centre) take_moments(released, turning);
+        if (turning.centre) take_moments(drawn, turning);
     }
     results_.virtual_motions.push_back(std::move(motion));
 }
 
-void FoundValues::take_moments(const Released& released, const Released::Turning& turning) {
+void FoundValues::take_moments(const VirtualMotion& drawn, const VirtualMotion::Turning& turning) {
     const auto free = std::find_if(results_.bodies.begin(), results_.bodies.end(),
                                    [&](const FreeBody& each) { return each.body == model_.body_of(turning.member); });
     if (free == results_.bodies.end()) return;
     const auto add = [&](Force force, PlaceOnDrawing place, bool is_sought) {
         if (board_.on_line(*turning.centre, board_.through(place, board_.direction(force)))) return;
-        FreeBody::Arm arm = way_.arm_about(*turning.centre, force, place, released.statement, is_sought);
+        FreeBody::Arm arm = constructions_.arm_about(*turning.centre, force, place, drawn.statement, is_sought);
         arm.name = turning.name;
         free->arms.push_back(std::move(arm));
     };
     for (const Load& load : model_.loads())
         if (load.member == turning.member && load.force) add(*load.force, load.place, false);
-    for (const Released::Known& known : released.known)
+    for (const VirtualMotion::Known& known : drawn.known)
         if (known.member == turning.member) add(known.force, known.place, false);
-    const Bond& bond = model_.bonds()[at(released.bond)];
+    const Bond& bond = model_.bonds()[at(drawn.bond)];
     const bool bears = bond.first == turning.member || bond.second == turning.member;
-    if (bears && released.along && released.force)
-        add(board_.scale<Plane::force>(board_.number(1), *released.along), bond.place, true);
+    if (bears && drawn.along && drawn.force)
+        add(board_.scale<Plane::force>(board_.number(1), *drawn.along), bond.place, true);
 }
 
 }  // namespace kinegraph::statics

@@ -9,20 +9,21 @@ namespace kinegraph::statics {
 
 class FoundValues {
 public:
-    FoundValues(ForceModel& model, Board& board, const Mechanism& mechanism, Way& way, ForceResults& results)
-        : model_(model), board_(board), mechanism_(mechanism), way_(way), results_(results) {}
+    FoundValues(ForceModel& model, Board& board, const Mechanism& mechanism, IntermediateConstructions& constructions,
+                ForceResults& results)
+        : model_(model), board_(board), mechanism_(mechanism), constructions_(constructions), results_(results) {}
 
     void collect_bond(const Bond& bond, const Reaction& reaction, bool valid);
     /// The virtual motion of a sentence, and the arms of the forces that do work in it.
-    void virtual_motion(const Released& released);
+    void virtual_motion(const VirtualMotion& drawn);
 
 private:
-    void take_moments(const Released& released, const Released::Turning& turning);
+    void take_moments(const VirtualMotion& drawn, const VirtualMotion::Turning& turning);
 
     ForceModel& model_;
     Board& board_;
     const Mechanism& mechanism_;
-    Way& way_;
+    IntermediateConstructions& constructions_;
     ForceResults& results_;
 };
 

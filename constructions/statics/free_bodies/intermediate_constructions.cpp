@@ -5,28 +5,28 @@
 
 namespace kinegraph::statics {
 
-std::vector<const Added*> Way::add_way(MemberIndex member, const Run& run, FreeBody& body) {
+std::vector<const Sum*> IntermediateConstructions::add_to(MemberIndex member, const Run& run, FreeBody& body) {
     const Group alone{member};
     if (bears_load(member)) {
-        for (const Added& moved : model_.moved())
+        for (const Sum& moved : model_.moved())
             if (moved.group == alone) body.sums.push_back(applied_sum(moved));
-        for (const Lever& shift : model_.shifts())
-            if (shift.member == member) add_lever(shift, body);
+        for (const Arm& shift : model_.shifts())
+            if (shift.member == member) add_arm(shift, body);
     }
-    std::vector<const Added*> leading;
-    for (const Added& added : run.added)
-        if (added.group == alone) {
-            body.sums.push_back(applied_sum(added));
-            leading.push_back(&added);
+    std::vector<const Sum*> leading;
+    for (const Sum& sum : run.sums)
+        if (sum.group == alone) {
+            body.sums.push_back(applied_sum(sum));
+            leading.push_back(&sum);
         }
-    for (const Lever& lever : run.levers)
-        if (lever.member == member) add_lever(lever, body);
-    for (const Strings& strings : run.strings)
-        if (strings.group == alone) body.funicular = funicular(strings);
+    for (const Arm& arm : run.arms)
+        if (arm.member == member) add_arm(arm, body);
+    for (const Funicular& drawn : run.funiculars)
+        if (drawn.group == alone) body.funicular = funicular(drawn);
     return leading;
 }
 
-void Way::list_meets(MemberIndex member, FreeBody& body) const {
+void IntermediateConstructions::list_meets(MemberIndex member, FreeBody& body) const {
     const auto meets = meets_.find(member);
     if (meets == meets_.end()) return;
     for (const NamedMeet& meet : meets->second) {
@@ -38,8 +38,8 @@ void Way::list_meets(MemberIndex member, FreeBody& body) const {
     }
 }
 
-FreeBody::Arm Way::arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement,
-                             bool is_sought) {
+FreeBody::Arm IntermediateConstructions::arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place,
+                                                   StatementIndex statement, bool is_sought) {
     FreeBody::Arm arm;
     const ScalarHandle moment = board_.moment(board_.vector(about, place), force);
     arm.name = point_at(about);
@@ -50,45 +50,45 @@ FreeBody::Arm Way::arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing p
     return arm;
 }
 
-std::string Way::point_at(PlaceOnDrawing place) {
+std::string IntermediateConstructions::point_at(PlaceOnDrawing place) {
     for (const PointIndex point : indices_of(mechanism_.points))
         if (board_.coincide(board_.place(point), place)) return mechanism_.point(point).name;
     return "";
 }
 
-AppliedForce Way::applied_sum(const Added& added) {
+AppliedForce IntermediateConstructions::applied_sum(const Sum& sum) {
     AppliedForce applied;
-    applied.symbol = added.symbol;
+    applied.symbol = sum.symbol;
     applied.kind = Quantity::Kind::resultant;
-    applied.elements.force = added.force.element;
-    applied.elements.at = added.place.element;
+    applied.elements.force = sum.force.element;
+    applied.elements.at = sum.place.element;
     applied.line_by_construction = true;
-    applied.line_statement = applied.force_statement = added.statement;
+    applied.line_statement = applied.force_statement = sum.statement;
     return applied;
 }
 
-FreeBody::Funicular Way::funicular(const Strings& strings) {
+FreeBody::Funicular IntermediateConstructions::funicular(const Funicular& drawn) {
     FreeBody::Funicular found;
-    found.statement = strings.statement;
-    found.first = strings.first;
-    found.second = strings.second;
-    found.known = strings.known;
-    for (const Corner& corner : strings.corners) found.corners.push_back(Recorded<Vector>::at(corner.element));
-    for (const PlaceOnDrawing& place : strings.vertices) found.vertices.push_back(Recorded<Vector>::at(place.element));
-    found.pole = Recorded<Vector>::at(strings.pole.element);
-    found.dividing = Recorded<Vector>::at(strings.dividing.element);
-    if (strings.resultant) found.resultant = Recorded<Vector>::at(strings.resultant->element);
+    found.statement = drawn.statement;
+    found.first = drawn.first;
+    found.second = drawn.second;
+    found.known = drawn.known;
+    for (const Corner& corner : drawn.corners) found.corners.push_back(Recorded<Vector>::at(corner.element));
+    for (const PlaceOnDrawing& place : drawn.vertices) found.vertices.push_back(Recorded<Vector>::at(place.element));
+    found.pole = Recorded<Vector>::at(drawn.pole.element);
+    found.dividing = Recorded<Vector>::at(drawn.dividing.element);
+    if (drawn.resultant) found.resultant = Recorded<Vector>::at(drawn.resultant->element);
     return found;
 }
 
-std::ptrdiff_t Way::rank_in(const std::vector<const Added*>& leading, const Side& side) {
-    const auto has_it = [&](const Added* added) {
-        return side.bond < 0 || std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
+std::ptrdiff_t IntermediateConstructions::rank_in(const std::vector<const Sum*>& leading, const Side& side) {
+    const auto has_it = [&](const Sum* sum) {
+        return side.bond < 0 || std::find(sum->bonds.begin(), sum->bonds.end(), side.bond) != sum->bonds.end();
     };
     return std::find_if(leading.begin(), leading.end(), has_it) - leading.begin();
 }
 
-std::ptrdiff_t Way::rank_in(const FreeBody::Funicular& funicular, const Symbol& symbol) {
+std::ptrdiff_t IntermediateConstructions::rank_in(const FreeBody::Funicular& funicular, const Symbol& symbol) {
     Symbols order = funicular.known;
     order.push_back(funicular.first);
     order.push_back(funicular.second);
@@ -97,20 +97,20 @@ std::ptrdiff_t Way::rank_in(const FreeBody::Funicular& funicular, const Symbol& 
     return found == order.end() ? -1 : found - order.begin();
 }
 
-void Way::put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading) {
+void IntermediateConstructions::put_in_order(std::vector<Side>& sides, const std::vector<const Sum*>& leading) {
     sort_round(sides);
     if (leading.empty()) return;
     std::stable_sort(sides.begin(), sides.end(),
                      [&](const Side& a, const Side& b) { return rank_in(leading, a) < rank_in(leading, b); });
 }
 
-void Way::put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular) {
+void IntermediateConstructions::put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular) {
     std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
         return rank_in(funicular, a.symbol) < rank_in(funicular, b.symbol);
     });
 }
 
-FreeBody Way::empty_body(MemberIndex member) const {
+FreeBody IntermediateConstructions::empty_body(MemberIndex member) const {
     FreeBody body;
     if (model_.is_pin(member)) {
         body.pin = model_.pin_point(member);
@@ -120,7 +120,7 @@ FreeBody Way::empty_body(MemberIndex member) const {
     return body;
 }
 
-AppliedForce Way::applied_load(const Load& load) {
+AppliedForce IntermediateConstructions::applied_load(const Load& load) {
     AppliedForce applied;
     applied.symbol = load.symbol;
     applied.kind = load.kind;
@@ -131,19 +131,19 @@ AppliedForce Way::applied_load(const Load& load) {
     return applied;
 }
 
-bool Way::bears_load(MemberIndex member) const {
+bool IntermediateConstructions::bears_load(MemberIndex member) const {
     return std::any_of(under_.loads->begin(), under_.loads->end(),
                        [&](const Load& load) { return load.member == member; });
 }
 
-void Way::add_lever(const Lever& lever, FreeBody& body) {
-    if (board_.on_line(lever.about, board_.through(lever.place, board_.direction(lever.force)))) return;
-    FreeBody::Arm arm = arm_about(lever.about, lever.force, lever.place, lever.statement, false);
-    arm.is_shift = lever.is_shift;
-    body.arms.push_back(std::move(arm));
+void IntermediateConstructions::add_arm(const Arm& arm, FreeBody& body) {
+    if (board_.on_line(arm.about, board_.through(arm.place, board_.direction(arm.force)))) return;
+    FreeBody::Arm drawn = arm_about(arm.about, arm.force, arm.place, arm.statement, false);
+    drawn.is_shift = arm.is_shift;
+    body.arms.push_back(std::move(drawn));
 }
 
-void Way::sort_round(std::vector<Side>& sides) {
+void IntermediateConstructions::sort_round(std::vector<Side>& sides) {
     const Force first = sides.front().force;
     const auto half = [&](Force v) {
         const int turned = board_.choose_turn(first, v);

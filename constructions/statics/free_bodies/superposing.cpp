@@ -22,12 +22,12 @@ std::optional<Superposition> Superposing::superpose(const Run& run) {
 
 std::optional<Superposition::Part> Superposing::cut_part(const PartRun& part) {
     const UnderLoads under{&part.loads, model_.member_name(part.loaded), part.first, part.end};
-    if (!Verdict(model_, board_, mechanism_, mobility_, under).out_of_equilibrium(part.run).empty())
+    if (!ForceDeterminacy(model_, board_, mechanism_, mobility_, under).out_of_equilibrium(part.run).empty())
         return std::nullopt;
     ForceResults results;
     ForcePolygons polygons(model_, board_);
-    Way way(model_, board_, mechanism_, meets_, under);
-    CutBodies alone(model_, board_, polygons, way, under, true, results);
+    IntermediateConstructions constructions(model_, board_, mechanism_, meets_, under);
+    CutBodies alone(model_, board_, polygons, constructions, under, true, results);
     alone.draw_bodies(part.run, {});
     alone.cut_together(part.run);
     Superposition::Part cut;
@@ -101,7 +101,8 @@ void Superposing::join_parts(MemberIndex member, const Run& run, Superposition& 
     std::vector<Side> loads;
     for (const Load& load : model_.loads())
         if (load.member == member && load.force)
-            loads.push_back({load.symbol, *load.force, -1, true, quantity_of(on, Way::applied_load(load))});
+            loads.push_back(
+                {load.symbol, *load.force, -1, true, quantity_of(on, IntermediateConstructions::applied_load(load))});
     std::vector<std::pair<int, std::vector<Side>>> reactions;
     for (const int b : model_.bonds_of(member))
         if (std::vector<Side> parts = parts_on(member, b, run); !parts.empty())

@@ -76,7 +76,7 @@ void UnsupportedResultants::turn_by_resultant(const Resultant& result, PlaceOnDr
     const AppliedForce& applied = body.forces.back();
     const PlaceOnDrawing place{applied.elements.at};
     if (board_.on_line(centre, board_.through(place, board_.direction(force)))) return;
-    body.arms.push_back(way_.arm_about(centre, force, place, result.statement, true));
+    body.arms.push_back(constructions_.arm_about(centre, force, place, result.statement, true));
 }
 
 Symbol UnsupportedResultants::resultant_symbol(bool is_force) {
@@ -93,7 +93,7 @@ void UnsupportedResultants::say_resultant(Resultant& result, const std::optional
     statement.message = {lang::sentences::in_equilibrium, {BodyName{names}}};
     const Symbol resultant = resultant_symbol(true);
     if (result.residual_couple) {
-        const std::string centre = way_.point_at({result.about.element()});
+        const std::string centre = constructions_.point_at({result.about.element()});
         statement.message = {lang::sentences::residual_couple,
                              {BodyName{names}, resultant, PointName{centre}, Symbol{Symbol::Letter::M, centre, {}}}};
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
@@ -116,11 +116,11 @@ void UnsupportedResultants::cut_unbalanced(const Group& group, const std::vector
     const bool alone = group.size() == 1;
     std::vector<Side> sides;
     for (const MemberIndex member : group) {
-        FreeBody body = way_.empty_body(member);
+        FreeBody body = constructions_.empty_body(member);
         body.statement = result.statement;
         for (const Load* load : loads) {
             if (load->member != member) continue;
-            AppliedForce applied = way_.applied_load(*load);
+            AppliedForce applied = constructions_.applied_load(*load);
             if (load->force) sides.push_back({applied.symbol, *load->force, -1, true, quantity_of(body, applied)});
             body.forces.push_back(std::move(applied));
         }

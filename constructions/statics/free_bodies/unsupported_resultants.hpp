@@ -13,8 +13,13 @@ namespace kinegraph::statics {
 class UnsupportedResultants {
 public:
     UnsupportedResultants(ForceModel& model, Board& board, const Mechanism& mechanism, ForcePolygons& polygons,
-                          Way& way, ForceResults& results)
-        : model_(model), board_(board), mechanism_(mechanism), polygons_(polygons), way_(way), results_(results) {}
+                          IntermediateConstructions& constructions, ForceResults& results)
+        : model_(model),
+          board_(board),
+          mechanism_(mechanism),
+          polygons_(polygons),
+          constructions_(constructions),
+          results_(results) {}
 
     /// Floating members whose given forces do not balance.
     const std::set<MemberIndex>& unbalanced() const { return unbalanced_; }
@@ -47,7 +52,7 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     ForcePolygons& polygons_;
-    Way& way_;
+    IntermediateConstructions& constructions_;
     ForceResults& results_;
     std::set<MemberIndex> unbalanced_;
 };
