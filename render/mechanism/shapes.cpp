@@ -47,6 +47,7 @@ public:
 
     Shape shape(Shape with_profiles) {
         shape_ = std::move(with_profiles);
+        leave_out_points_on_discs();
         find_rods();
         for (const Rod& rod : rods_) add_rod(rod);
         hang_curved_slots();
@@ -60,6 +61,24 @@ public:
     }
 
 private:
+    /// A disc carries its points: where a rope leaves it, or a mass centre, it needs no bar. Pins have theirs.
+    void leave_out_points_on_discs() {
+        const auto is_on_disc = [&](Spot corner) {
+            constexpr double beside = 0.1;  // mm
+            return std::any_of(shape_.rims.begin(), shape_.rims.end(), [&](const Rim& rim) {
+                const double distance = length(corner - rim.centre);
+                return rim.form != Rim::Form::arc && !rim.hollow && distance > beside && distance < rim.radius + beside;
+            });
+        };
+        const auto has_pair = [&](Spot corner) {
+            return std::any_of(l_.mechanism.joints.begin(), l_.mechanism.joints.end(), [&](const Joint& joint) {
+                return joint.connects(body_) && coincide(l_.spot(joint), corner);
+            });
+        };
+        const auto leaves = [&](Spot corner) { return is_on_disc(corner) && !has_pair(corner); };
+        std::erase_if(corners_, leaves);
+        std::erase_if(off_guide_, leaves);
+    }
     void find_rods() {
         for (const Joint& joint : l_.mechanism.joints) {
             const bool slides = joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body_ &&

@@ -311,6 +311,20 @@ TEST(Symbols, a_flat_follower_touches_with_its_edge) {
     EXPECT_TRUE(touches);
 }
 
+/// Where a rope leaves a pulley is a point of the disc, which needs no bar to carry it.
+TEST(Symbols, points_on_a_disc_add_nothing_to_its_body) {
+    const auto pulley = [](const std::string& points) {
+        return Drawn(R"("points": {"B": [0, 0], "D": [6, 0], "T": [8, 0], "U": [6, 2], "G": [5, 1]},
+            "bodies": {"2": ["B", "D"], "3": {"points": [)" +
+                     points + R"(], "circle": {"centre": "D", "radius": 2}}},
+            "joints": [{"revolute": "B", "bodies": [1, 2]}, {"revolute": "D", "bodies": [2, 3]}])");
+    };
+    const std::size_t alone = pulley(R"("D")").role("link").size();
+    EXPECT_GE(alone, 2U);
+    EXPECT_EQ(pulley(R"("D", "T", "U", "G")").role("link").size(), alone);
+    EXPECT_EQ(pulley(R"("D", "T")").role("link").size(), alone);
+}
+
 TEST(Symbols, a_driven_slide_between_pins_is_a_cylinder) {
     const Drawn drawn(hydraulic);
     const Spot foot = drawn.points[1], head = drawn.points[2];
