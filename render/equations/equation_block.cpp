@@ -14,9 +14,10 @@ namespace {
 
 constexpr double widest_between = 4, least_between = 1.6;  // columns of a table, mm
 
+using Table = std::vector<std::vector<Formula>>;
+
 /// The lines of a table, with columns as wide as their content.
-std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
-                            double between = widest_between) {
+std::vector<Block> lines_of(const DrawingContext& context, const Table& rows, double between = widest_between) {
     constexpr double under_head = 1.4, under_line = 0.4, under_table = 1.3;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
@@ -72,19 +73,53 @@ const std::vector<Block>& natural_of(const DrawingContext& context, const Equati
     return found->second;
 }
 
-/// To fit the measure, first the columns move closer, then everything is set smaller.
+/// With columns that move closer together to fit the measure.
+std::vector<Block> closer_lines_of(const DrawingContext& context, const Table& rows, double measure) {
+    std::vector<Block> wide = lines_of(context, rows);
+    const double excess = wide.front().width - measure;
+    if (excess <= 0) return wide;
+    const auto gaps = static_cast<double>(std::max<std::size_t>(rows.front().size(), 2) - 1);
+    return lines_of(context, rows, std::max(least_between, widest_between - excess / gaps));
+}
+
+/// The first column and those from `from` to before `to`.
+Table columns_of(const Table& rows, std::size_t from, std::size_t to) {
+    Table part;
+    for (const std::vector<Formula>& row : rows) {
+        std::vector<Formula>& cells = part.emplace_back();
+        for (std::size_t c = 0; c < row.size(); ++c)
+            if (c == 0 || (c >= from && c < to)) cells.push_back(row[c]);
+    }
+    return part;
+}
+
+/// To fit the measure, first the columns move closer, then everything is set smaller, as long as it can be read. A
+/// table that is still too wide is set in parts, one below the other, each with the first column.
 void add_table(const DrawingContext& context, const EquationItem& item, double measure, NaturalBlocks& natural,
                const std::function<void(Block)>& add) {
     const std::vector<Block>& wide = natural_of(context, item, natural);
-    const double excess = wide.front().width - measure;
-    if (excess <= 0) {
+    if (wide.front().width <= measure) {
         for (const Block& line : wide) add(line);
         return;
     }
-    const auto gaps = static_cast<double>(std::max<std::size_t>(item.rows.front().size(), 2) - 1);
-    for (Block& line : lines_of(context, item.rows, std::max(least_between, widest_between - excess / gaps))) {
-        const double share = std::min(1.0, measure / line.width);
-        add(scaled(std::move(line), share));
+    const double least_type = context.theme.block;  // pt; no other text of a sheet is smaller
+    const auto set_within = [&](std::vector<Block> lines) {
+        for (Block& line : lines) {
+            const double share = std::min(1.0, measure / line.width);
+            add(scaled(std::move(line), share));
+        }
+    };
+    std::vector<Block> closer = closer_lines_of(context, item.rows, measure);
+    const std::size_t columns = item.rows.front().size();
+    if (columns <= 2 || closer.front().width * least_type <= measure * context.theme.small) {
+        set_within(std::move(closer));
+        return;
+    }
+    for (std::size_t from = 1, to = columns; from < columns; from = to, to = columns) {
+        closer = closer_lines_of(context, columns_of(item.rows, from, to), measure);
+        for (; closer.front().width > measure && to > from + 1;)
+            closer = closer_lines_of(context, columns_of(item.rows, from, --to), measure);
+        set_within(std::move(closer));
     }
 }
 

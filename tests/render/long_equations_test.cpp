@@ -12,6 +12,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
+#include "tests/support/solved.hpp"
 
 namespace kinegraph::render::long_equations_test {
 namespace {
@@ -52,6 +53,26 @@ void expect_within(const std::string& file, Language language, const std::string
             }
         }
 }
+/// A table is legible in any column: one that is too wide is set in parts, each with its first column.
+TEST(LongEquations, TablesAreSetInPartsBeforeTheyAreTooSmall) {
+    const Solution& solution = tests::example("virtual_work");
+    const auto theme = built_in_theme("colour");
+    const DrawingContext context{solution, *theme, tests::fonts(), Language::en};
+    const std::string wide = "a head of some length";
+    const std::vector<std::vector<Formula>> rows(5, std::vector<Formula>(5, Formula::upright(wide)));
+    const std::vector<EquationItem> items{{.kind = EquationItem::Kind::table, .rows = rows}};
+    constexpr double narrow = 56, least = 2.4;  // mm
+    NaturalBlocks natural;
+    std::size_t lines = 0;
+    for (const Block& block : equation_blocks(context, items, narrow, natural)) {
+        EXPECT_GE(smallest_size(block) * millimetres(1), least);
+        EXPECT_LE(block.width, narrow + 1e-9);
+        ++lines;
+    }
+    EXPECT_EQ(lines % 5, 0U);
+    EXPECT_GE(lines, 10U);
+}
+
 Language language_of(std::uint64_t seed) { return seed % 2 == 0 ? Language::en : Language::it; }
 
 TEST(LongEquations, OfChainsOfDyadsStayWithinTheirColumn) {
