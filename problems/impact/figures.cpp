@@ -17,13 +17,13 @@ namespace {
 using std::numbers::pi;
 
 void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, double value, const std::string& unit,
-                 Colour colour, const std::vector<double>& kind = {}) {
+                 Colour colour) {
     figure.marks.emplace_back(GroupBegin{"vector",
                                          legal_id(figure.id + "-" + name),
                                          name,
                                          {{"data-name", name}, {"data-value", shortest(value)}, {"data-unit", unit}},
                                          none});
-    draw_arrow(figure.marks, tail, tip, 0.7, colour, kind);
+    draw_arrow(figure.marks, tail, tip, 0.7, colour);
     figure.marks.emplace_back(Axis{tail, tip});
     figure.marks.emplace_back(GroupEnd{});
 }
@@ -42,11 +42,14 @@ public:
         measure();
         scale_ = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 46, 20.0),
                               std::max(room.y - 34, 15.0), std::nullopt);
+        // Each figure has a scale of its own: those after an impact would often be shorter than the bodies are wide.
         double fastest = 0;
         for (const ImpactSolution::Body& body : found_.bodies)
-            for (const Vector& v : {body.before, body.after}) fastest = std::max(fastest, kinegraph::length(v));
+            fastest = std::max(fastest, kinegraph::length(velocity_of(body)));
         const Unit& unit = context.solution.mechanism.units.velocity;
-        speed_scale_ = choose_scale(fastest / unit.si.to_double(), 0, longest_, 1, std::nullopt) * unit.si.to_double();
+        if (fastest > 0)
+            speed_scale_ =
+                choose_scale(fastest / unit.si.to_double(), 0, longest_, 1, std::nullopt) * unit.si.to_double();
         origin_ = spot_of(found_.at, scale_);
         normal_ = unit_spot(found_.normal);
     }
@@ -58,8 +61,9 @@ public:
                             : begun("contact", "contact-after", {lang::impact::velocities_after_the_impact}, scale_,
                                     "m", context_.language);
         const Unit& unit = context_.solution.mechanism.units.velocity;
-        figure.further_scale =
-            "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
+        if (speed_scale_ > 0)
+            figure.further_scale =
+                "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, i);
         draw_lines(figure);
         for (std::size_t i = 0; i < 2; ++i) draw_velocities(figure, i);
@@ -70,6 +74,9 @@ public:
     }
 
 private:
+    const Vector& velocity_of(const ImpactSolution::Body& body) const {
+        return moment_ == Moment::before ? body.before : body.after;
+    }
     Spot unit_spot(const Vector& v) const { return unit(spot_of(v, 1)); }
     Spot spot(const Vector& place) const { return spot_of(place, scale_); }
     const Body& body(std::size_t i) const { return context_.solution.mechanism.body(problem_.bodies.at(i).body); }
@@ -164,17 +171,10 @@ private:
         }
     }
     void draw_pivot(Figure& figure, const Vector& at, const BodyColour& colour) {
-        const Spot pin = spot(at);
-        const Pen pen{theme_.outline, theme_.text, {}, false};
-        figure.marks.emplace_back(polyline({pin, pin + Spot{-3.2, -5.5}, pin + Spot{3.2, -5.5}}, pen, true));
-        figure.marks.emplace_back(
-            line(pin + Spot{-5, -5.5}, pin + Spot{5, -5.5}, {2 * theme_.outline, theme_.text, {}, false}));
-        for (int i = -2; i <= 2; ++i)
-            figure.marks.emplace_back(line(pin + Spot{2.0 * i, -5.5}, pin + Spot{2.0 * i + 1.5, -7.2},
-                                           {theme_.thin, theme_.text, {}, false}));
-        figure.marks.emplace_back(ring(pin, 1.3, theme_.paper, {theme_.outline, colour.line, {}, false}));
+        constexpr Spot hanging{0, -1};
+        draw_pivot_on_frame(figure.marks, spot(at), hanging, colour.line, theme_);
         figure.labels.push_back(
-            {.text = one_piece("O", Face::italic), .size = theme_.label, .colour = theme_.text, .anchor = pin});
+            {.text = one_piece("O", Face::italic), .size = theme_.label, .colour = theme_.text, .anchor = spot(at)});
     }
     void draw_ground(Figure& figure, Spot inward) {
         const Spot along = turned(normal_);
@@ -211,22 +211,17 @@ private:
         const std::string n = std::to_string(i + 1);
         const Spot centre =
             of.centre == found_.at ? origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_) : spot(of.centre);
-        const auto draw = [&](const Vector& v, const std::string& mark, Colour ink, Colour letter,
-                              const std::vector<double>& kind) {
-            const Spot reach = spot_of(v, speed_scale_);
-            if (render::length(reach) < 0.3) return;
-            const std::string name = "v_" + n + mark;
-            vector_mark(figure, name, centre, centre + reach, kinegraph::length(v), "m/s", ink, kind);
-            figure.labels.push_back({.text = vector_formula("{v_" + n + "}" + mark),
+        const Spot reach = speed_scale_ > 0 ? spot_of(velocity_of(of), speed_scale_) : Spot{};
+        if (render::length(reach) >= 0.3) {
+            const std::string mark = moment_ == Moment::before ? "" : "′", name = "v_" + n;
+            vector_mark(figure, name + mark, centre, centre + reach, kinegraph::length(velocity_of(of)), "m/s",
+                        colour.line);
+            figure.labels.push_back({.text = vector_formula("{" + name + "}" + mark),
                                      .size = theme_.label,
-                                     .colour = letter,
+                                     .colour = colour.letter,
                                      .anchor = centre + 0.75 * reach,
                                      .toward = centre + reach});
-        };
-        if (moment_ == Moment::before)
-            draw(of.before, "", colour.line, colour.letter, {});
-        else
-            draw(of.after, "′", colour.line, colour.letter, {});
+        }
         draw_turn(figure, i, centre, colour);
     }
     void draw_turn(Figure& figure, std::size_t i, Spot centre, const BodyColour& colour) {
@@ -255,7 +250,7 @@ private:
     Spot room_;
     Box extent_;
     bool first_ = true;
-    double scale_ = 1, speed_scale_ = 1;
+    double scale_ = 1, speed_scale_ = 0;  ///< m and m/s for each mm; 0: nothing moves
     Spot origin_, normal_;
 };
 

@@ -78,6 +78,17 @@ private:
         arrow(middle, to, theme_.thin, theme_.text);
         name(words, middle, to);
     }
+    /// At a distance from what it measures, between two thin lines that begin `clear` of its ends. `kind`: dashes if
+    /// its length is not to scale.
+    void dimension_beside(Spot from, Spot to, Spot aside, const std::string& words, Spot clear = {2, 2},
+                          const std::vector<double>& kind = {}) {
+        const Spot away = unit(aside), middle = 0.5 * (from + to) + aside;
+        for (const auto& [end, gap] : {std::pair(from, clear.x), std::pair(to, clear.y)}) {
+            add(line(end + gap * away, end + aside + 1.5 * away, pen(theme_.thin, theme_.text)));
+            draw_arrow(figure_.marks, middle, end + aside, theme_.thin, theme_.text, kind);
+        }
+        name(words, middle, to + aside);
+    }
 
     // ----- pad and block
 
@@ -180,9 +191,11 @@ private:
         if (!as_question_) draw_shoe_pressures(drum);
         const Spot pin{h / scale_, 0};
         add(line({0, 0}, pin, pen(theme_.thin, theme_.secondary, dash_dot())));
-        add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
-        name("{h}", 0.5 * pin, pin);
+        draw_pivot_on_frame(figure_.marks, pin, {0, 1}, colour().line, theme_);
         draw_shoe_force(pin, drum);
+        // Above, where the frame is not.
+        constexpr double beside = 6;  // mm
+        dimension_beside({0, 0}, pin, {0, -beside}, "{h}");
         // Friction turns a leading shoe in the sense of its force. The pivot is on the right, so that the drum turns
         // clockwise for an inner shoe.
         const double middle = 1.25 * pi;
@@ -236,15 +249,18 @@ private:
         const double arm = problem_.arm.to_double() / scale_, longest = 2.2 * drum;
         const Spot place = place_of_force(pin, drum, std::min(arm, longest));
         const Spot towards = unit(place - pin);
-        // A lever longer than the drawing is cut and dashed.
-        add(line(pin, place, pen(theme_.thin, theme_.secondary, arm > longest ? dashes() : std::vector<double>{})));
         // Perpendicular to the arm: away from the drum's centre for an inner shoe, towards it for an outer one.
         Spot across = turned(towards);
         if (dot(across, round(1, 0.5 * (found_.begin + found_.end))) < 0) across = -1 * across;
         if (!problem_.inside) across = -1 * across;
-        arrow(place - 11 * across, place, theme_.vector, theme_.text);
+        constexpr double force = 11, clear = 4;  // mm
+        arrow(place - force * across, place, theme_.vector, theme_.text);
         name(vector_formula("{Q}"), place - 6 * across, place);
-        name("{c}", 0.5 * (pin + place), place);
+        // Behind the force, where no line ends on its tip, and clear of the drum's centre.
+        double behind = force + 3;
+        while (std::abs(dot(pin - behind * across, across)) < clear) behind += 1;
+        dimension_beside(pin, place, -behind * across, "{c}", {2, force + 1},
+                         arm > longest ? dashes() : std::vector<double>{});
     }
 
     const DrawingContext& context_;

@@ -28,4 +28,16 @@ Figure finished(Figure figure, const DrawingContext& context, Spot room) {
     return figure;
 }
 
+void draw_pivot_on_frame(std::vector<Mark>& marks, Spot pin, Spot down, Colour colour, const Theme& theme) {
+    constexpr double height = 5.5, half = 3.2, wall = 5, pitch = 2, depth = 1.7;  // mm
+    const Spot foot = pin + height * down, along = turned(down);
+    marks.emplace_back(
+        polyline({pin, foot - half * along, foot + half * along}, {theme.outline, theme.text, {}, false}, true));
+    marks.emplace_back(line(foot - wall * along, foot + wall * along, {2 * theme.outline, theme.text, {}, false}));
+    for (double at = -2 * pitch; at <= 2 * pitch; at += pitch)
+        marks.emplace_back(line(foot + at * along, foot + (at + 0.75 * pitch) * along + depth * down,
+                                {theme.thin, theme.text, {}, false}));
+    marks.emplace_back(ring(pin, 1.3, theme.paper, {theme.outline, colour, {}, false}));
+}
+
 }  // namespace kinegraph::render

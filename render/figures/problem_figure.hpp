@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/solution/problem_solution.hpp"
 #include "render/page/figure.hpp"
@@ -26,5 +27,7 @@ Figure begun(const char* kind, const char* id, const Words& caption, double scal
              Language language);
 /// Closes the group, places the labels within the room and moves the box to the origin.
 Figure finished(Figure figure, const DrawingContext& context, Spot room);
+/// A pin on a hatched triangle, as ISO 3952 has it; `down`: the unit vector from the pin to the wall.
+void draw_pivot_on_frame(std::vector<Mark>& marks, Spot pin, Spot down, Colour colour, const Theme& theme);
 
 }  // namespace kinegraph::render
