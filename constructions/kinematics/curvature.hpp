@@ -2,9 +2,9 @@
 // circle, the centres of curvature of points' paths and of straight lines' envelopes, Bresse's circles and the
 // acceleration pole. All numbers come from the board. Accelerations are only used for a body without two known paths.
 //
-// Sources: Euler (1765) and Savary (1845) for conjugate points; Bobillier (1870) for the pole tangent; Hartmann (1893)
-// for the centre of curvature by the velocity of the pole; Bresse (1853) for the two circles; all as in Dijksman,
-// Motion Geometry of Mechanisms (1976), and Hall, Kinematics and Linkage Design (1961).
+// Sources: Euler (1765) and Savary (1845) for conjugate points; Bobillier (1870) for the pole tangent; Bresse (1853)
+// for the two circles; all as in Dijksman, Motion Geometry of Mechanisms (1976), and Hall, Kinematics and Linkage
+// Design (1961).
 #pragma once
 
 #include <vector>

@@ -322,6 +322,18 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
 
+Symbol InstantCentres::omega_of(BodyIndex body) const {
+    return {Symbol::Letter::omega, structure_.body_name(body), {}};
+}
+
+/// A point of a body that moves, with the symbol of its velocity; none: all rest.
+std::pair<NodeIndex, Symbol> InstantCentres::velocity_of_node(BodyIndex body, const Track<Plane::velocity>& track) {
+    for (const NodeIndex node : structure_.nodes_of(body))
+        if (track.has(node) && !board_.coincide(track.tip(node), board_.pole<Plane::velocity>()))
+            return {node, {Symbol::Letter::v, structure_.node(node).label, {}}};
+    return {none, {}};
+}
+
 /// Places at which the relative velocity of two bodies may be drawn: their nodes, and one place beside these in case
 /// all nodes are in line with the centre sought.
 std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
@@ -339,6 +351,50 @@ std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, Bo
         break;
     }
     return places;
+}
+
+/// Two normals meet where both are of points whose relative velocities stand in the polygon: those of one body against
+/// the frame. All else follows from the angular velocities: r = v/ω.
+Message InstantCentres::told_from_velocities(Pair& entry, Drawing found, const TwoPlaces& places,
+                                             const Track<Plane::velocity>& track) {
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    const Symbol centre = symbol(i, j);
+    if (board_.is_at_infinity(found)) return told_by_normals(entry, lang::sentences::centre_from_velocities, places);
+    if (i == frame) {
+        const auto stands = [&](const Place& place) {
+            return place.point != none && structure_.find(place.point, j) != none;
+        };
+        const auto [point, velocity] = velocity_of_node(j, track);
+        if ((stands(places.first) && stands(places.second)) || point == none)
+            return told_by_normals(entry, lang::sentences::centre_from_velocities, places);
+        if (structure_.node(point).point != none) entry.centre.normals = {structure_.node(point).point};
+        return {lang::sentences::centre_from_omega,
+                {centre, PointName{structure_.node(point).label}, velocity, omega_of(j)}};
+    }
+    const Message by_normals{lang::sentences::centre_from_velocities, {centre, PointName{}, PointName{}}};
+    const auto &own_i = pair(frame, i).point, &own_j = pair(frame, j).point;
+    if (!own_i || !own_j) return by_normals;
+    for (const auto& [still, turning] : {std::pair(i, j), std::pair(j, i)}) {
+        if (!board_.is_at_infinity(*pair(frame, still).point)) continue;
+        const auto [point, velocity] = velocity_of_node(still, track);
+        if (point == none) return by_normals;
+        return {lang::sentences::centre_beside_translation,
+                {centre, BodyName{structure_.body_name(still)}, velocity, symbol(frame, turning), omega_of(turning)}};
+    }
+    if (board_.coincide(*own_i, *own_j)) return by_normals;
+    return {lang::sentences::centre_by_ratio, {centre, symbol(frame, i), symbol(frame, j), omega_of(i), omega_of(j)}};
+}
+
+Message InstantCentres::told_by_normals(Pair& entry, Key sentence, const TwoPlaces& places) {
+    const auto& [first, second] = places;
+    const bool two = first.name != second.name;
+    if (first.point != none && second.point != none) {
+        entry.centre.normals = {first.point};
+        if (two) entry.centre.normals.push_back(second.point);
+    }
+    return {sentence,
+            {symbol(entry.centre.first, entry.centre.second), PointName{two ? first.name : std::string()},
+             PointName{two ? second.name : std::string()}}};
 }
 
 void InstantCentres::from_motion(Pair& entry, const Motion& motion) {
@@ -373,14 +429,9 @@ bool InstantCentres::by_relative_motion(Pair& entry, const Motion& motion) {
     const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
         settle(entry, point, moving ? InstantCentre::How::velocities : InstantCentre::How::accelerations);
         entry.centre.statement = statement;
-        const bool two = first.name != second.name;
-        board_.statement(statement).message = {
-            sentence,
-            {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
-        if (first.point != none && second.point != none) {
-            entry.centre.normals = {first.point};
-            if (two) entry.centre.normals.push_back(second.point);
-        }
+        board_.statement(statement).message = moving
+                                                  ? told_from_velocities(entry, point, {first, second}, motion.velocity)
+                                                  : told_by_normals(entry, sentence, {first, second});
         return true;
     };
     const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));

@@ -72,11 +72,17 @@ private:
         std::string name;
         PointIndex point = none;
     };
+    using TwoPlaces = std::pair<Place, Place>;
     std::vector<Place> places_of(BodyIndex first, BodyIndex second);
     /// From the velocities; of bodies at rest against each other, from their accelerations.
     void from_motion(Pair& pair, const Motion& motion);
     template <Plane plane>
     bool by_relative_motion(Pair& pair, const Motion& motion);
+    Message told_from_velocities(Pair& pair, PointOn<Plane::drawing> found, const TwoPlaces& places,
+                                 const Track<Plane::velocity>& track);
+    Message told_by_normals(Pair& pair, Key sentence, const TwoPlaces& places);
+    Symbol omega_of(BodyIndex body) const;
+    std::pair<NodeIndex, Symbol> velocity_of_node(BodyIndex body, const Track<Plane::velocity>& track);
     bool at_relative_rest(const Pair& pair, const Motion& motion);
 
     Structure& structure_;

@@ -127,10 +127,17 @@ bool ForceModel::pulls(std::size_t b, const Run& run) {
     const JointIndex index = bonds_[b].joint;
     const Joint& joint = mechanism_.joints[at(index)];
     const Force& force = *run.reactions[b].force;
-    if (!is_of_teeth(b)) return joint.pushes && board_.along_sign(board_.push(index), force) < 0;
+    if (joint.pushes) return board_.along_sign(board_.push(index), force) < 0;
+    if (!is_of_teeth(b) && !is_between_round_profiles(joint)) return false;
     // The sign of the component across the tangent, along the normal.
     const int radial = board_.sign(board_.moment(board_.tangent(index), force));
     return material_side(index) * radial < 0;
+}
+
+bool ForceModel::is_between_round_profiles(const Joint& joint) {
+    const auto is_round = [](const auto& each) { return std::holds_alternative<CircleProfile>(each.second); };
+    return joint.pair().touches() && joint.profiles.size() == 2 &&
+           std::any_of(joint.profiles.begin(), joint.profiles.end(), is_round);
 }
 
 std::vector<JointIndex> ForceModel::pulling_teeth(const Run& run) {

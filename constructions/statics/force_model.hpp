@@ -45,8 +45,9 @@ public:
     Quantity quantity_at(std::size_t bond, bool on_first) const;
     /// F_32: of 3 on 2.
     Symbol force_symbol(MemberIndex of, MemberIndex on) const;
-    /// Whether the reaction found at a one-sided bond would have to pull. Such pairs are assumed to push: teeth into
-    /// the gear's own material, a contact in the sense that the file gives.
+    bool is_of_teeth(std::size_t bond) const;
+    /// Whether the reaction found at a one-sided bond would have to pull. Such pairs are assumed to push: teeth and
+    /// round profiles into the bodies' own material, a contact in the sense that the file gives.
     bool pulls(std::size_t bond, const Run& run);
     /// Teeth that would pull. (Contacts may pull too, but have no other flank: they lift off.)
     std::vector<JointIndex> pulling_teeth(const Run& run);
@@ -76,12 +77,13 @@ public:
 
 private:
     static std::string relative_name_of_bodies(const std::string& of, const std::string& on);
-    bool is_of_teeth(std::size_t bond) const;
     void add_joint(JointIndex index);
     void add_effort(int index);
     /// Side of the common tangent on which the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, with x the
     /// centres' coordinates along the normal (0 for a rack); 0 if the file gives only a tangent.
     int material_side(JointIndex index);
+    /// Both profiles are known and one is a circle: each presses on the other's material.
+    static bool is_between_round_profiles(const Joint& joint);
 
     Board& board_;
     const Mechanism& mechanism_;

@@ -60,6 +60,7 @@ ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanis
     bodies.cut_together(run);
     if (complete && one_by_one && !run.parts.empty())
         results.superposition = Superposing(model, board, mechanism, mobility, meets).superpose(run);
+    determinacy.remark_teeth(run, results);
     determinacy.remark_lift_off(run, results);
     return results;
 }

@@ -47,8 +47,11 @@ Key steps_heading(Topic topic) {
 }
 
 std::optional<Topic> follows(Key sentence) {
-    if (sentence == lang::sentences::centre_from_velocities) return Topic::velocity;
-    if (sentence == lang::sentences::centre_from_accelerations) return Topic::acceleration;
+    using namespace lang::sentences;
+    static constexpr std::array after_velocities{centre_from_velocities, centre_from_omega, centre_beside_translation,
+                                                 centre_by_ratio};
+    if (is_among(sentence, after_velocities)) return Topic::velocity;
+    if (sentence == centre_from_accelerations) return Topic::acceleration;
     return std::nullopt;
 }
 
@@ -75,6 +78,7 @@ const SeveralSubjects* several_subjects_of(Key sentence) {
         SeveralSubjects{translating_velocity, lang::sentences::translating_velocities, {1, 2}},
         SeveralSubjects{translating_acceleration, lang::sentences::translating_accelerations, {1, 2}},
         SeveralSubjects{centre_from_velocities, lang::sentences::centres_from_velocities, {0}, 1},
+        SeveralSubjects{centre_by_ratio, lang::sentences::centres_by_ratio, {0}, 1},
         SeveralSubjects{centre_from_accelerations, lang::sentences::centres_from_accelerations, {0}, 1}};
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.one == sentence; });
     return found == all.end() ? nullptr : &*found;
@@ -133,28 +137,15 @@ namespace {
 
 bool carries_on(Key sentence) {
     using namespace lang::sentences;
-    static constexpr std::array carrying{image_velocity,
-                                         image_acceleration,
-                                         image_acceleration_without_omega,
-                                         translating_velocity,
-                                         translating_acceleration,
-                                         omega_by_sleeve,
-                                         alpha_by_sleeve,
-                                         omega_by_joint,
-                                         alpha_by_joint,
-                                         omega_by_fixed_guide,
-                                         alpha_by_fixed_guide,
-                                         omega_by_driver,
-                                         alpha_by_driver,
-                                         slide_velocity_on_rest,
-                                         slide_acceleration_on_rest,
-                                         kennedy_same,
-                                         centre_by_rigidity,
-                                         centre_from_velocities,
-                                         second_way,
-                                         known_resultant,
-                                         centre_from_accelerations};  // drawn, and stated by the sentence that needs it
-    return is_among(sentence, carrying);
+    static constexpr std::array carrying{
+        image_velocity,       image_acceleration,       image_acceleration_without_omega,
+        translating_velocity, translating_acceleration, omega_by_sleeve,
+        alpha_by_sleeve,      omega_by_joint,           alpha_by_joint,
+        omega_by_fixed_guide, alpha_by_fixed_guide,     omega_by_driver,
+        alpha_by_driver,      slide_velocity_on_rest,   slide_acceleration_on_rest,
+        kennedy_same,         centre_by_rigidity,       second_way,
+        known_resultant};  // drawn, and stated by the sentence that needs it
+    return is_among(sentence, carrying) || follows(sentence);
 }
 
 /// Whether another sentence mentions the resultant that this one adds up.

@@ -290,11 +290,15 @@ std::set<std::string> lettered(const std::vector<Page>& pages) {
 /// Sentences whose forces are drawn as lines of action, sides of polygons, or arrows.
 bool names_lines(Key sentence) {
     using namespace lang::sentences;
-    constexpr std::array all{inertia_force,   inertia_moved, three_force_line, three_parallel_lines,
-                             triangle,        triangle_at,   polygon,          polygon_at,
-                             parallel_forces, culmann,       culmann_line,     force_and_couple,
-                             single_reaction, through_pin,   known_resultant,  funicular_parallel,
-                             funicular_far};
+    constexpr std::array all{inertia_force,    inertia_moved,
+                             three_force_line, three_parallel_lines,
+                             triangle,         triangle_at,
+                             polygon,          polygon_at,
+                             parallel_forces,  culmann,
+                             culmann_line,     force_and_couple,
+                             single_reaction,  through_pin,
+                             known_resultant,  funicular_parallel,
+                             funicular_far,    funicular_parallel_one};
     return std::find(all.begin(), all.end(), sentence) != all.end();
 }
 /// Whether it vanishes: then there is nothing to be drawn.

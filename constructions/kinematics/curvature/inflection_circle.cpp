@@ -34,9 +34,21 @@ Argument InflectionCircle::ray_of(const KnownPath& path) {
     return LineReason{LineReason::Kind::parallel_to_normal, path.label, {}};
 }
 
-Argument InflectionCircle::join_of_centres(const KnownPath& a, const KnownPath& b) {
-    if (a.centre_name.empty()) return ray_of(a);
-    return b.centre_name.empty() ? ray_of(b) : Argument{Segment{a.centre_name, b.centre_name}};
+/// A centre at infinity lies on the parallel to its ray through the other one.
+StatementIndex InflectionCircle::say_bobillier(BodyIndex body, const KnownPath& a, const KnownPath& b) {
+    const Symbol pole = draft_.symbol_of_pole(body);
+    const Segment join{a.label, b.label};
+    const bool first_far = a.centre_name.empty(), second_far = b.centre_name.empty();
+    if (first_far && second_far)
+        return draft_.say(body, lang::sentences::curvature_bobillier_at_infinity, {pole, join, ray_of(a), ray_of(b)},
+                          "Bobillier");
+    const PointName meet{draft_.free_name("Q")};
+    if (!first_far && !second_far)
+        return draft_.say(body, lang::sentences::curvature_bobillier,
+                          {pole, join, Segment{a.centre_name, b.centre_name}, ray_of(a), ray_of(b), meet}, "Bobillier");
+    const KnownPath &near = first_far ? b : a, &far = first_far ? a : b;
+    return draft_.say(body, lang::sentences::curvature_bobillier_one_far,
+                      {pole, join, PointName{near.centre_name}, ray_of(a), ray_of(b), meet, ray_of(far)}, "Bobillier");
 }
 
 void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, const KnownPath& b) {
@@ -51,14 +63,7 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
         result.rays.push_back({path->point, path->label, path->centre_name, Recorded<Vector>::at(path->place.element),
                                Recorded<ProjectivePoint>::at(path->centre.element)});
 
-    const Segment join{a.label, b.label};
-    const bool both_far = a.centre_name.empty() && b.centre_name.empty();
-    result.tangent_statement = both_far ? draft_.say(body, lang::sentences::curvature_bobillier_at_infinity,
-                                                     {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
-                                        : draft_.say(body, lang::sentences::curvature_bobillier,
-                                                     {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b),
-                                                      PointName{draft_.free_name("Q")}},
-                                                     "Bobillier");
+    result.tangent_statement = say_bobillier(body, a, b);
     const auto axis_point = board_.meet(board_.join(a.place, b.place), board_.join(a.centre, b.centre));
     KG_ASSERT(axis_point, "the join of two points is that of their centres only through the pole");
     result.axis_point = Recorded<ProjectivePoint>::at(axis_point->element);

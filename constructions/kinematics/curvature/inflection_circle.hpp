@@ -22,7 +22,7 @@ private:
     using State = CurvatureDraft::State;
     bool rays_meet(const KnownPath& a, const KnownPath& b);
     static Argument ray_of(const KnownPath& path);
-    static Argument join_of_centres(const KnownPath& a, const KnownPath& b);
+    StatementIndex say_bobillier(BodyIndex body, const KnownPath& a, const KnownPath& b);
     void draw_pole_tangent(BodyIndex body, const KnownPath& a, const KnownPath& b);
     void draw_inflection_pole(BodyIndex body, const KnownPath& a, const KnownPath& b, Line normal);
 

@@ -54,8 +54,7 @@ void PathCentres::draw_acceleration_pole(BodyIndex body) {
     result.acceleration_pole = Recorded<Vector>::at(foot->element);
 }
 
-/// Hartmann, with both velocities divided by ω: the line through the tips of z∧PC at C and of the pole's component z∧PW
-/// at P passes through the centre of curvature. W is the foot of J on the ray.
+/// Euler–Savary: CC₀ = CP²/CW, from C towards W, the foot of J on the ray.
 void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     const State& state = draft_.of(body);
     const Place pole = *state.pole, place = draft_.diagram.place(node);
@@ -71,8 +70,10 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
         path.statement = draft_.say(body, lang::sentences::curvature_at_pole, {here});
         return;
     }
-    path.statement = draft_.say(body, lang::sentences::curvature_hartmann,
-                                {here, PointName{path.name}, draft_.symbol_of_pole(body)}, "Hartmann");
+    path.statement =
+        draft_.say(body, lang::sentences::curvature_conjugate,
+                   {here, PointName{path.name}, draft_.symbol_of_pole(body), PointName{state.result.inflection_name}},
+                   "Euler–Savary");
     const Line ray = board_.join(pole, place);
     const auto foot =
         board_.meet(board_.through(*state.inflection_pole, board_.perpendicular(board_.direction(ray))), ray);
@@ -80,15 +81,12 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     path.foot = Recorded<ProjectivePoint>::at(foot->element);
     if (board_.coincide(*foot, place)) {
         board_.statement(path.statement).message = {lang::sentences::curvature_straight, {here}};
-        board_.statement(path.statement).source = "Euler–Savary";
         path.centre = Recorded<ProjectivePoint>::at(board_.at_infinity(board_.direction(ray)).element);
         return;
     }
-    const Place tip = board_.carry(place, board_.turn(board_.vector(pole, place)));
-    const Place tip_of_pole = board_.carry(pole, board_.turn(board_.vector(pole, *foot)));
-    const auto centre = board_.meet(board_.join(tip, tip_of_pole), ray);
-    KG_ASSERT(centre, "a tip lies beside its ray");
-    path.centre = Recorded<ProjectivePoint>::at(centre->element);
+    const Arrow to_pole = board_.vector(place, pole), to_foot = board_.vector(place, *foot);
+    const Place centre = board_.carry(place, board_.scale<Plane::drawing>(board_.ratio(to_pole, to_foot), to_pole));
+    path.centre = Recorded<ProjectivePoint>::at(centre.element);
 }
 
 /// For straight guides, slots and profiles on the body: with F the foot of J on the normal, the pole is the middle of F

@@ -1,5 +1,5 @@
 // Results of the pole and inflection circle: the acceleration pole (Bresse), the centres of curvature of points' paths
-// (Hartmann) and of straight lines' envelopes.
+// (Euler–Savary) and of straight lines' envelopes.
 #pragma once
 
 #include "constructions/kinematics/curvature/draft.hpp"

@@ -94,7 +94,7 @@ bool FunicularPolygons::draw(Funicular& found, const std::vector<Actor>& actors,
 
 std::vector<PointOn<Plane::force>> FunicularPolygons::poles(const std::vector<PointOn<Plane::force>>& corners,
                                                             Force sum, bool several) {
-    const auto distance = several ? pole_distance(corners, sum) : Exact(1);
+    const auto distance = pole_distance(corners, sum, several ? 4 : 64);
     if (!distance) return {};
     const Force away = *distance == Exact(1) ? board_.turn(sum)
                                              : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
@@ -107,8 +107,11 @@ std::vector<PointOn<Plane::force>> FunicularPolygons::poles(const std::vector<Po
     return found;
 }
 
-std::optional<Exact> FunicularPolygons::pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum) {
-    for (const int times : {1, 2, 4}) {
+/// Rays are well inclined where the pole is about as far away as the force line is long, which may be longer than the
+/// sum.
+std::optional<Exact> FunicularPolygons::pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum,
+                                                      int most) {
+    for (int times = 1; times <= most; times *= 2) {
         const Force reach = board_.scale<Plane::force>(board_.number(Exact(5) / 4 * Exact(times)), sum);
         const bool near = std::all_of(corners.begin() + 1, corners.end(), [&](PointOn<Plane::force> corner) {
             return !board_.choose_longer(board_.vector(corners.front(), corner), reach);

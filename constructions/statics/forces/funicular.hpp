@@ -35,8 +35,9 @@ private:
     std::vector<PointOn<Plane::force>> poles(const std::vector<PointOn<Plane::force>>& corners, Force sum,
                                              bool several);
     /// As a multiple of the sum of the forces; the distance is about the length of all forces, so strings between
-    /// parallel forces are at most a quarter as deep as they are wide. None if the sum is small compared to its terms.
-    std::optional<Exact> pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum);
+    /// parallel forces are at most a quarter as deep as they are wide. None above `most`: the sum is small compared to
+    /// its terms.
+    std::optional<Exact> pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum, int most);
     /// Whether a string ends farther from its force's point than `times` the extent of the structure.
     bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line,
                  const Exact& times);

@@ -37,8 +37,7 @@ bool Magnitudes::magnitudes(const Group& group, const std::vector<Load>& loads, 
 
 bool Magnitudes::single(const Group& group, int b, const Wrench& known, const std::vector<Load>& loads, Run& run) {
     const Bond::Kind of = known_.shape(b, run);
-    Symbol symbol = said_.symbol_on(b, group);
-    if (known.vanishes() && of == Bond::Kind::couple) symbol.letter = Symbol::Letter::M;
+    const Symbol symbol = of == Bond::Kind::couple ? said_.couple_on(b, group) : said_.symbol_on(b, group);
     said_.say_of(group, known.vanishes() ? lang::sentences::no_force : lang::sentences::single_reaction, {symbol});
     if (of == Bond::Kind::couple) {
         resultants_.note_couple_of_two(group, known, loads, run);
@@ -57,6 +56,7 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
     } else if (takes_couple) {
         const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
         if (known.force) {
+            say_moment(couple, b, b, group);
             const Force force = of == Bond::Kind::guide
                                     ? balance_.opposite_along(known, model_.bonds()[at(b)].direction)
                                     : balance_.opposite(known);
@@ -76,8 +76,8 @@ bool Magnitudes::force_and_couple(const Group& group, int force, int couple, con
                                   const std::vector<Load>& loads, Run& run) {
     const PlaceOnDrawing place = known_.place_of(force, run);
     resultants_.say_resultant(group, known, loads, run);
-    said_.say_of(group, lang::sentences::force_and_couple,
-                 {said_.symbol_on(force, group), said_.symbol_on(couple, group)});
+    said_.say_of(group, known.force ? lang::sentences::force_and_couple : lang::sentences::couple_alone,
+                 {said_.symbol_on(force, group), said_.couple_on(couple, group)});
     const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
     if (known.force && !board_.is_zero(balancing)) resultants_.note_lever(group, place, *known.force, known.place, run);
     if (known.force) {
@@ -167,20 +167,20 @@ bool Magnitudes::several_by_funicular(const Group& group, int line, int pin, con
     return true;
 }
 
-/// The resultant passes through the intersection of the outer strings, which gets a name.
+/// The resultant passes through the intersection of the outer strings, which gets a name. One force is no resultant.
 void Magnitudes::say_funicular(const Group& group, Key sentence, std::vector<Argument> arguments,
                                const Funicular& found) {
-    if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
+    if (sentence == lang::sentences::funicular_parallel && found.known.size() == 1) {
+        sentence = lang::sentences::funicular_parallel_one;
+        arguments.emplace_back(found.known.front());
+    } else if (found.resultant)
+        arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
     said_.say_of(group, sentence, std::move(arguments), "Culmann");
 }
 
 void Magnitudes::say_no_force_along(const Group& group, int nothing, int all, bool couple_too) {
     std::vector<Argument> arguments{said_.symbol_on(nothing, group), said_.symbol_on(all, group)};
-    if (couple_too) {
-        Symbol couple = said_.symbol_on(nothing, group);
-        couple.letter = Symbol::Letter::M;
-        arguments.emplace_back(std::move(couple));
-    }
+    if (couple_too) arguments.emplace_back(said_.couple_on(nothing, group));
     said_.say_of(group, lang::sentences::no_force_along, std::move(arguments));
 }
 
@@ -189,6 +189,7 @@ bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const W
     const Action given = *run.reactions[at(line)].action;
     const DirectionHandle normal = model_.bonds()[at(guide)].direction;
     if (board_.parallel(given.direction, normal)) return false;
+    bool by_moments = false;
     if (balance_.is_along(known, given)) {
         say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
     } else if (const auto met = resultants_.meet_of_resultant(group, given, known, loads, run)) {
@@ -196,25 +197,29 @@ bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const W
         said_.say_of(group, lang::sentences::triangle_at,
                      {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(guide, group)});
     } else {
+        by_moments = true;
         said_.say_of(group, lang::sentences::triangle, {said_.symbol_on(line, group), said_.symbol_on(guide, group)});
     }
     const auto [along, across] = balance_.triangle(known, given.direction, normal);
     settled_.settle(line, along, given.place, group, run);
     Wrench rest = known;
     if (run.reactions[at(line)].force) rest = model_.sum(known, balance_.wrench_at(along, given.place));
-    settle_guide(guide, across, rest, group, run);
+    const ScalarHandle couple = board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place));
+    if (by_moments) say_moment(couple, guide, guide, group);
+    settled_.settle_with_couple(guide, across, couple, group, run);
     return true;
 }
 
-void Magnitudes::settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run) {
-    settled_.settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)),
-                                group, run);
+void Magnitudes::say_moment(ScalarHandle couple, int of, int about, const Group& group) {
+    if (board_.is_zero(couple)) return;
+    said_.add({said_.couple_on(of, group), said_.place_name(about)});
 }
 
 bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, const Wrench& known,
                            const std::vector<Load>& loads, Run& run) {
     const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
     if (!board_.parallel(first.direction, second.direction)) {
+        const bool by_triangle = !balance_.is_along(known, first) && !balance_.is_along(known, second);
         if (balance_.is_along(known, first))
             say_no_force_along(group, two, one, false);
         else if (balance_.is_along(known, second))
@@ -227,7 +232,9 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
         if (couple >= 0) {
             Wrench rest =
                 model_.sum(model_.sum(known, balance_.nonzero(x, first.place)), balance_.nonzero(y, second.place));
-            settled_.settle_couple(couple, board_.opposite(model_.moment(rest, first.place)), group, run);
+            const ScalarHandle balancing = board_.opposite(model_.moment(rest, first.place));
+            if (by_triangle) say_moment(balancing, couple, one, group);
+            settled_.settle_couple(couple, balancing, group, run);
         }
         return true;
     }

@@ -43,8 +43,8 @@ private:
     /// A guide takes its force at any place: the triangle gives the forces, the remaining moment is the guide's couple.
     bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads,
                         Run& run);
-    /// A guide's reaction balances the rest, force and couple.
-    void settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run);
+    /// The last sentence also says where the couple of a bond comes from: moments about the point of another.
+    void say_moment(ScalarHandle couple, int of, int about, const Group& group);
     bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known,
                    const std::vector<Load>& loads, Run& run);
     /// Culmann: three lines that are neither concurrent nor all parallel. The line through the intersections of two

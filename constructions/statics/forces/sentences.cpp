@@ -3,6 +3,7 @@
 #include "lang/keys/sentences.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "constructions/kinematics/motion.hpp"
 
@@ -51,6 +52,11 @@ void ForceSentences::say_of(const Group& group, Key sentence, std::vector<Argume
     say(sentence, std::move(arguments), source, group);
 }
 
+void ForceSentences::add(std::vector<Argument> arguments) {
+    std::vector<Argument>& said = board_.statement(statement_).message.arguments;
+    said.insert(said.end(), std::make_move_iterator(arguments.begin()), std::make_move_iterator(arguments.end()));
+}
+
 BodyName::As ForceSentences::as_what(const Group& group) const {
     if (of_truss_ && known_.is_whole(group)) return BodyName::As::truss;
     return group.size() == 1 && model_.is_pin(group.front()) ? BodyName::As::pin : BodyName::As::body;
@@ -59,6 +65,12 @@ BodyName::As ForceSentences::as_what(const Group& group) const {
 Symbol ForceSentences::symbol_on(int b, const Group& group) const {
     const Bond& bond = model_.bonds()[at(b)];
     return marked(in(group, bond.first) ? bond.symbol : bond.reverse, mark_);
+}
+
+Symbol ForceSentences::couple_on(int b, const Group& group) const {
+    Symbol symbol = symbol_on(b, group);
+    symbol.letter = Symbol::Letter::M;
+    return symbol;
 }
 
 Quantity ForceSentences::quantity_on(int b, const Group& group) const {

@@ -50,8 +50,12 @@ public:
     void say(Key sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
     /// A sentence about a body, or about several taken together; they become its first argument.
     void say_of(const Group& group, Key sentence, std::vector<Argument> arguments, const char* source = "");
+    /// Adds to the last sentence what it says of a couple, which is known only now.
+    void add(std::vector<Argument> arguments);
     /// Symbol of a bond's force as it acts on a group.
     Symbol symbol_on(int b, const Group& group) const;
+    /// Symbol of its couple.
+    Symbol couple_on(int b, const Group& group) const;
     /// The action of a bond on a group.
     Quantity quantity_on(int b, const Group& group) const;
     PointName place_name(int b) const;

@@ -46,10 +46,19 @@ void ForceDeterminacy::explain(const Run& run, bool balanced, ForceResults& resu
     results.unsolved.push_back({{lang::phrases::all_forces, {}}, reason(std::move(open))});
 }
 
+/// Teeth have two lines of action: a remark says why one of them is taken.
+void ForceDeterminacy::remark_teeth(const Run& run, ForceResults& results) {
+    Names pressing;
+    for (std::size_t b = 0; b < model_.bonds().size(); ++b)
+        if (model_.is_of_teeth(b) && run.reactions[b].force)
+            pressing.push_back(mechanism_.point(mechanism_.joints[at(model_.bonds()[b].joint)].point).name);
+    if (!pressing.empty()) results.remarks.push_back({lang::sentences::teeth_push, {std::move(pressing)}});
+}
+
 void ForceDeterminacy::remark_lift_off(const Run& run, ForceResults& results) {
     for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
         const JointIndex joint = model_.bonds()[b].joint;
-        if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
+        if (joint != none && !model_.is_of_teeth(b) && model_.pulls(b, run))
             results.remarks.push_back({lang::sentences::lift_off, {file_name(mechanism_.joints[at(joint)])}});
     }
 }

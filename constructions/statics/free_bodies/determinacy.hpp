@@ -20,6 +20,7 @@ public:
     /// Whether all forces are known, except those between members out of equilibrium.
     bool is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const;
     void explain(const Run& run, bool balanced, ForceResults& results);
+    void remark_teeth(const Run& run, ForceResults& results);
     /// Reports contacts that would have to pull.
     void remark_lift_off(const Run& run, ForceResults& results);
     /// The part of a reaction that equilibrium leaves open: all of it, the component perpendicular to the known one,
