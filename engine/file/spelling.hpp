@@ -52,6 +52,7 @@ public:
             const bool other_letters = !std::is_permutation(letters.begin(), letters.end(), other.begin(), other.end());
             // Two slips that begin at the first letter are another word: "nodes" is no "bodies".
             if (said > 1 && other_letters && letters.substr(0, 1) != other.substr(0, 1)) continue;
+            if (said == 1 && is_another(letters, other)) continue;
             const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
             const Rank rank{said, other_letters, edit_distance(word, name, most), numbers_apart(letters, other),
                             -prefix};
@@ -68,6 +69,19 @@ private:
         for (const char c : name)
             if (c != ' ' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         return letters;
+    }
+    /// Of two names that differ by one letter more: whether they are no slip of each other. A letter more of a number,
+    /// or of a name of two letters, is a slip only where it stands twice: "33" may be 3, but "12" is not 2.
+    static bool is_another(std::string_view longer, std::string_view shorter) {
+        if (longer.size() < shorter.size()) std::swap(longer, shorter);
+        if (longer.size() != shorter.size() + 1) return false;
+        constexpr auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+        const auto at = static_cast<std::size_t>(std::mismatch(shorter.begin(), shorter.end(), longer.begin()).first -
+                                                 shorter.begin());
+        const bool in_number = is_digit(longer[at]) &&
+                               ((at > 0 && is_digit(longer[at - 1])) || (at < shorter.size() && is_digit(shorter[at])));
+        const bool twice = at > 0 && longer[at] == longer[at - 1];
+        return (in_number || longer.size() == 2) && !twice;
     }
     /// Among names that differ only in the number at their end, the nearer number is more likely: 5 is 4 rather than 1.
     static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "engine/file/json_source.hpp"
+#include "engine/file/spelling.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "tests/support/files.hpp"
 
@@ -350,6 +352,23 @@ TEST(Reader, AnotherWordIsNoMisspeltOne) {
     EXPECT_NE(said_of("pionts").find("unknown key \"pionts\" (did you mean \"points\"?)"), std::string::npos);
     EXPECT_NE(said_of("bodeis").find("(did you mean \"bodies\"?)"), std::string::npos);
     EXPECT_EQ(said_of("nodes").find("did you mean"), std::string::npos) << said_of("nodes");
+}
+
+TEST(Reader, AnotherNumberIsNoSlip) {
+    Speller speller;
+    for (int wanted = 1; wanted < 40; ++wanted)
+        for (int known = 1; known < 40; ++known) {
+            const std::string a = std::to_string(wanted), b = std::to_string(known);
+            const bool typed_twice = a.size() == 2 && a[0] == a[1] && b == a.substr(0, 1);
+            for (const char* const before : {"", "B"}) {
+                const auto meant = speller.nearest(before + a, std::array{before + b});
+                EXPECT_TRUE(!meant || a.size() == b.size() || typed_twice || (b.size() == 2 && b[0] == b[1]))
+                    << before << a << " is not " << *meant;
+            }
+        }
+    EXPECT_EQ(speller.nearest("33", std::array{"2", "3", "4"}), "3");
+    EXPECT_EQ(speller.nearest("12", std::array{"2", "1", "11"}), "11") << "a digit is another";
+    EXPECT_EQ(speller.nearest("Ab", std::array{"A", "B"}), std::nullopt);
 }
 
 TEST(Reader, AMisspeltNameIsToldOnce) {
