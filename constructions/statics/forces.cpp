@@ -54,6 +54,16 @@ std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets,
     return whole;
 }
 
+/// The truss of a mechanism, if each of its bars has a length as drawn: only then it has a line, along which it pulls.
+std::optional<TrussStructure> drawn_truss(Board& board, const Mechanism& mechanism) {
+    auto truss = truss_of(mechanism);
+    if (!truss) return std::nullopt;
+    const auto place = [&](int pin) { return board.place(truss->pins[at(pin)].point); };
+    for (const TrussStructure::Bar& bar : truss->bars)
+        if (board.coincide(place(bar.pins[0]), place(bar.pins[1]))) return std::nullopt;
+    return truss;
+}
+
 Determinacy determinacy_of(const Mechanism& mechanism, const Mobility& mobility) {
     const int efforts = static_cast<int>(mechanism.efforts.size());
     if (mobility.repeated() > 0 || efforts > mobility.effective) return Determinacy::redundant;
@@ -111,7 +121,8 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
     std::set<statics::MemberIndex> adrift;
     for (const statics::Unsupported& each : loose)
         if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
-    if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
+    if (const auto truss = statics::drawn_truss(board, mechanism))
+        return statics::draw_truss(model, board, mechanism, mobility, *truss);
     // The forces show on which flank teeth push. If a flank was wrong, the drawing is rewound and repeated.
     const Board::Mark before = board.mark();
     for (std::size_t round = 0;; ++round) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -343,6 +344,24 @@ TEST(Trusses, WhereNoCutLeadsOnTheReasonIsSaidAndTheForcesAreFound) {
     expect_as_linear_solve(solution, text);
     ASSERT_FALSE(solution.remarks.empty());
     EXPECT_EQ(solution.remarks.front().sentence, lang::sentences::truss_without_order);
+}
+
+// A bar whose pins lie at one place pulls along no line: what it is part of is found as bodies, or not at all.
+TEST(Trusses, WithABarWithoutLengthAreNoTrusses) {
+    for (const char* const example : {"truss_simple", "truss_roof_wind"}) {
+        const nlohmann::json whole = nlohmann::json::parse(tests::contents(tests::example_file(example)));
+        for (const auto& [body, pins] : whole["bodies"].items()) {
+            nlohmann::json file = whole;
+            const auto ends = pins.is_array() ? pins : pins["points"];
+            if (ends.size() != 2) continue;
+            file["points"][ends[0].get<std::string>()] = file["points"][ends[1].get<std::string>()];
+            auto mechanism = read_mechanism(file.dump(), "truss.json");
+            if (!mechanism) continue;
+            const auto solution = solve(*std::move(mechanism));
+            ASSERT_TRUE(solution) << example << " " << body;
+            EXPECT_FALSE(solution->truss) << example << " " << body;
+        }
+    }
 }
 
 TEST(Trusses, ACantileverOnTwoHingesIsResolvedFromItsTip) {
