@@ -11,8 +11,10 @@
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/motion/positions.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/library.hpp"
+#include "lang/keys/sweeps.hpp"
 
 namespace kinegraph::app {
 
@@ -93,6 +95,10 @@ Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate,
 
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit) {
     return {lang::library::is_out_of_reach_driver_stops, wanted, driver, limit};
+}
+Words too_far(const Words& wanted, const std::string& driver) {
+    return {lang::sweeps::too_far_to_be_moved, wanted, driver, std::to_string(Positions::most_turns),
+            std::to_string(Positions::most_sizes)};
 }
 
 }  // namespace kinegraph::app

@@ -39,6 +39,8 @@ Words time_text(double time);  ///< "0.2 s"
 
 /// "400 mm is out of reach: driver 2 stops at 80 mm".
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit);
+/// The same of a position to which it would be moved by too many steps (Positions::is_near).
+Words too_far(const Words& wanted, const std::string& driver);
 
 /// Solutions in the order of `wanted.at`; the title of each names its position. Errors: bad_input for a text that is no
 /// position or one out of reach, no_unique_answer at a change point, and those of the drawing.

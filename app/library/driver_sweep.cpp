@@ -48,6 +48,8 @@ public:
         const std::vector<Column> operands = operands_of_expressions(mechanism, course_.driver);
         const app::ColumnsOnRequest on_request = app::columns_on_request(options_, mechanism, operands);
         unsolved = cycle_->begin(*travel, true, on_request.columns);
+        if (cycle_->columns().empty())
+            return refused(Diagnostic::Kind::no_unique_answer, {lang::sweeps::no_position_has_a_unique_answer});
         table.driver = name_of(course_.driver);
         table.turns = app::turns(mechanism, course_.driver);
         table.travel = *travel;
@@ -67,6 +69,7 @@ public:
         if (!columns) return wrong(columns.error());
         plots = *std::move(columns);
         table.followed = cycle_->follow(*travel, efforts());
+        if (const auto beyond = beyond_work()) return wrong(*beyond);
         const auto pairs = app::centrode_pairs_of(options_.centrodes, mechanism, options_.dashes);
         if (!pairs) return wrong(pairs.error());
         for (const auto& [first, second] : *pairs) add_centrodes(first, second);
@@ -87,6 +90,7 @@ public:
             if ((i == 0 && travel.starts_at_limit) || (i == steps && travel.ends_at_limit)) continue;
             const double at = travel.at(static_cast<double>(i) / static_cast<double>(steps));
             const auto row = cycle_->row(at);
+            if (const auto beyond = beyond_work()) return refused(Diagnostic::Kind::bad_input, *beyond);
             if (!row) {
                 table.left_out.push_back(at);
                 continue;
@@ -136,6 +140,13 @@ public:
         auto ways = app::ways_of(mechanism, pose_, cycle_->positions(), travel, options_.poses, traces_);
         for (const Centrodes& each : centrodes_) app::add_ways(each, mechanism, ways);
         return ways;
+    }
+
+    std::optional<Words> beyond_work() const override {
+        if (!cycle_->is_spent()) return std::nullopt;
+        constexpr std::size_t million = 1'000'000;
+        return Words(lang::sweeps::sizes_too_different_for_a_sweep, std::to_string(most_planned_bits / million),
+                     options_.dashes);
     }
 
     std::vector<render::FilmFrame> film_frames(int count) const override {

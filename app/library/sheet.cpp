@@ -86,13 +86,9 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
     return codes;
 }
 
-Diagnostics not_drawn(const char* place, const Words& why) {
-    return {diagnostic_of(Diagnostic::Kind::bad_input, place, why)};
-}
-
 /// Why there is no sheet or page of a solution, with the place in its file.
 std::optional<Diagnostics> why_not_drawn(const Solution& solution, bool in_steps) {
-    if (const auto beyond = render::beyond_doubles(solution)) return not_drawn("/points", *beyond);
+    if (auto far = why_points_not_drawn(solution)) return far;
     if (const auto beyond = in_steps ? render::beyond_steps(solution) : render::beyond_sheet(solution))
         return not_drawn("/find", *beyond);
     return std::nullopt;
@@ -142,6 +138,15 @@ Expected<std::string> painted(Paint paint) {
 }
 
 }  // namespace
+
+Diagnostics not_drawn(const char* place, const Words& why) {
+    return {diagnostic_of(Diagnostic::Kind::bad_input, place, why)};
+}
+
+std::optional<Diagnostics> why_points_not_drawn(const Solution& solution) {
+    if (const auto beyond = render::beyond_doubles(solution)) return not_drawn("/points", *beyond);
+    return std::nullopt;
+}
 
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     auto theme = theme_of(options);

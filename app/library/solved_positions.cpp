@@ -119,6 +119,8 @@ Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const
             solutions.push_back(*std::move(drawn));
         } else {
             Positions here = *positions;
+            if (!here.is_near(coordinate.to_double()))
+                return wrong(Words(dashes + "at") + lang::notation::colon + too_far(text, name));
             if (!here.move_to(coordinate.to_double()))
                 return wrong(Words(dashes + "at") + lang::notation::colon +
                              out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));

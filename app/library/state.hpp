@@ -86,6 +86,10 @@ render::SheetOptions with_colours_of(render::SheetOptions options, const Mechani
 /// is used as it is.
 std::optional<render::Theme> dark_beside(const DrawingOptions& options);
 
+/// Why something is not drawn, with its place in the file.
+Diagnostics not_drawn(const char* place, const Words& why);
+/// The same of points too far away to be drawn; none if they are near.
+std::optional<Diagnostics> why_points_not_drawn(const Solution& solution);
 /// Calls `lay_out` with the options and the thread's fonts, and notes missing characters. Errors: those of
 /// sheet_options_of() and of `lay_out`, a missing font.
 using LayOut = std::function<Expected<std::vector<render::Page>>(

@@ -47,6 +47,13 @@ std::vector<Column> shown_columns(const Sweep::State& sweep) {
     return columns;
 }
 
+/// The paths of the points, with the table completed for its drawing.
+Expected<std::vector<render::Way>> finished(Sweep::State& state) {
+    auto ways = state.finish_table();
+    if (const auto beyond = state.beyond_work()) return refused(Diagnostic::Kind::bad_input, *beyond);
+    return ways;
+}
+
 }  // namespace
 
 tl::expected<void, Words> Sweep::State::choose_shown(const std::string& names, std::size_t own,
@@ -194,21 +201,20 @@ Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
         return refused(Diagnostic::Kind::bad_input, {lang::sweeps::a_problem_in_place_of_joints});
     if (!state.has_rows)
         if (const auto computed = sweep.write({}); !computed) return tl::unexpected(computed.error());
-    return drawing_of(
-        options,
-        [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
-            std::vector<Text>&) -> Expected<std::vector<render::Page>> {
-            Mechanism plain = state.mechanism;
-            plain.find = {};
-            plain.find.stated = plain.find.velocity = true;
-            const auto drawn = solve(std::move(plain));
-            if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
-            if (const auto beyond = render::beyond_doubles(*drawn))
-                return tl::unexpected(Diagnostics{diagnostic_of(Diagnostic::Kind::bad_input, "/points", *beyond)});
-            const std::vector<render::Way> ways = state.finish_table();
-            return render::lay_out_cycle(*drawn, state.table, state.plots, ways,
-                                         with_colours_of(sheet, state.mechanism), fonts);
-        });
+    return drawing_of(options,
+                      [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
+                          std::vector<Text>&) -> Expected<std::vector<render::Page>> {
+                          Mechanism plain = state.mechanism;
+                          plain.find = {};
+                          plain.find.stated = plain.find.velocity = true;
+                          const auto drawn = solve(std::move(plain));
+                          if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
+                          if (auto far = why_points_not_drawn(*drawn)) return tl::unexpected(*std::move(far));
+                          const auto ways = finished(state);
+                          if (!ways) return tl::unexpected(ways.error());
+                          return render::lay_out_cycle(*drawn, state.table, state.plots, *ways,
+                                                       with_colours_of(sheet, state.mechanism), fonts);
+                      });
 }
 
 Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& options) {
@@ -226,11 +232,12 @@ Expected<Drawing> draw_frames(Sweep& sweep, int frames, const DrawingOptions& op
     return drawing_of(slides,
                       [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
                           std::vector<Text>&) -> Expected<std::vector<render::Page>> {
-                          const std::vector<render::Way> ways = state.finish_table();
+                          const auto ways = finished(state);
+                          if (!ways) return tl::unexpected(ways.error());
                           const std::vector<render::FilmFrame> positions = state.film_frames(frames);
                           if (positions.empty())
                               return refused(Diagnostic::Kind::no_unique_answer, {lang::sweeps::a_film_shows_a_driver});
-                          return render::lay_out_film(positions, state.table, state.plots, ways,
+                          return render::lay_out_film(positions, state.table, state.plots, *ways,
                                                       with_colours_of(sheet, state.mechanism), fonts);
                       });
 }

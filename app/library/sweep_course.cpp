@@ -71,6 +71,7 @@ tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mecha
     if (travel) return *travel;
     const TravelFault& fault = travel.error();
     const std::string name = name_of_driver(mechanism, driver);
+    if (fault.is_too_far) return tl::unexpected(too_far(coordinate_text(mechanism, driver, fault.wanted), name));
     if (!fault.limit) return tl::unexpected(Words(lang::sweeps::driver_has_no_limit_give, name, dashes));
     return tl::unexpected(out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name,
                                        coordinate_text(mechanism, driver, *fault.limit)));

@@ -36,6 +36,8 @@ struct Sweep::State {
     virtual void write_after(JsonWriter& json) const = 0;
     /// Completes the table for its drawing. Returns the paths.
     virtual std::vector<render::Way> finish_table() = 0;
+    /// Why the rows or what is drawn of them took too much work, with a remedy; none if they did not.
+    virtual std::optional<Words> beyond_work() const { return std::nullopt; }
     /// At most `count` positions at even steps, each solved for its motion; none over a parameter.
     virtual std::vector<render::FilmFrame> film_frames(int count) const = 0;
     /// All of Sweep::summary() but the largest difference.

@@ -362,7 +362,9 @@ private:
             sample.plan = 0;
             return;
         }
-        Repositioned moved = mover_->moved(positions, Exact::from_double(sample.coordinate));
+        auto repositioned = mover_->moved(positions, Exact::from_double(sample.coordinate));
+        if (!repositioned) return;
+        Repositioned& moved = *repositioned;
         if (rates)
             moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
         for (std::size_t i = 0; i < moving_.plans.size(); ++i) {

@@ -106,7 +106,9 @@ public:
         on_request_ = on_request;
         for (const double share : sample_shares) {
             if (!go_to(travel.at(share))) continue;
-            Solution solution = planned_here();
+            auto planned = planned_here();
+            if (!planned) continue;
+            Solution& solution = *planned;
             columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
             if (clock_.has_time()) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
             for (Column& column : columns_found(solution))
@@ -195,6 +197,7 @@ public:
     /// Near a limit positions vary as the root of the distance from it. Two positions, one four times as far as the
     /// other, give the limit by Richardson's extrapolation.
     std::vector<std::optional<double>> at_limit(double limit, double inward) {
+        if (columns_.empty()) return {};
         constexpr double near = 1e-8;  // relative to the travel; the limit is computed to 1e-9
         // Restored in the end, because a position at a limit is a poor start for the next one.
         const Positions before = positions_;
@@ -224,20 +227,22 @@ public:
     Positions& positions() { return positions_; }
     const std::vector<Column>& columns() const { return columns_; }
     int plans() const { return planned_; }
+    bool is_spent() const { return spent_ > most_planned_bits; }
 
 private:
     /// Sets values_ to the row at this position; false if the mechanism gives no unique answer.
     bool find_values(double at) {
-        if (!go_to(at)) return false;
+        if (is_spent() || !go_to(at)) return false;
         const KeptRecords::Record* record = records_.replayed([&](const Given& given) { return value_here(given); });
         if (record != nullptr && !fill(*record)) return false;
         if (record == nullptr || !efforts_.replay(places_, positions_, values_)) {
             // Guards evaluated in doubles may fail in a nearly special position (a body nearly at rest), but its exact
             // values are valid.
-            const Solution solution = planned_here();
-            keep(solution);
-            if (!fill_from(solution)) return false;
-            efforts_.take(solution);
+            const std::optional<Solution> solution = planned_here();
+            if (!solution) return false;
+            keep(*solution);
+            if (!fill_from(*solution)) return false;
+            efforts_.take(*solution);
         }
         if (!efforts_.fill(values_, expressions_.size())) return false;
         finish_row();
@@ -268,7 +273,8 @@ private:
         }
         if (!go_to(at)) return std::nullopt;
         values_ = row;
-        fill_from(planned_here());  // what is found without forces is exact here
+        // What is found without forces is exact here.
+        if (const std::optional<Solution> solution = planned_here()) fill_from(*solution);
         for (std::size_t i = 0; i < row.size(); ++i)
             if (empty_[i] || is_of_forces(columns_[i])) values_[i] = empty_[i] ? 0 : row[i];
         finish_row();
@@ -355,12 +361,17 @@ private:
     }
 
     // --- by record
-    Solution planned_here() {
+    std::optional<Solution> planned_here() {
         ++planned_;
-        Repositioned moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        auto repositioned = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        if (!repositioned) return std::nullopt;
+        Repositioned& moved = *repositioned;
         moved.mechanism.find = found_in_rows(mechanism_, on_request_);
+        moved.mechanism.contacts.reset();  // no column has their pressures
         clock_.put_rates(moved.mechanism);
-        return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        Solution solution = solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        spent_ += solution.protocol.bits;
+        return solution;
     }
 
     void keep(const Solution& solution) {
@@ -476,6 +487,7 @@ private:
     ExpressionColumns expressions_;
     KeptRecords records_;
     int planned_ = 0;
+    std::size_t spent_ = 0;  ///< bits of all numbers of the positions that were planned
     RowCheck check_;
 };
 
@@ -506,5 +518,6 @@ std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) 
 }
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
 int Cycle::plans() const { return rows_->plans(); }
+bool Cycle::is_spent() const { return rows_->is_spent(); }
 
 }  // namespace kinegraph

@@ -28,6 +28,8 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
     const auto out_of_reach = [&](double wanted) {
         return tl::unexpected(TravelFault{wanted, tried.limit().value_or(tried.coordinate())});
     };
+    for (const std::optional<double>& end : {from, to})
+        if (end && !positions.is_near(*end)) return tl::unexpected(TravelFault{*end, {}, true});
     // By default to the limits; a full turn at most if both ends are free.
     const double far = turns ? 64 * full_turn : 100 * positions.size();
     if (from) {
@@ -76,6 +78,8 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
     travel.from = *least;
     travel.to = *most;
     Positions tried = positions;
+    for (const double each : {travel.from, travel.to})
+        if (!positions.is_near(each)) return tl::unexpected(TravelFault{each, {}, true});
     for (const double each : {travel.from, travel.to})
         if (!tried.move_to(each)) return tl::unexpected(TravelFault{each, tried.limit().value_or(tried.coordinate())});
     travel.change_points = tried.change_points();

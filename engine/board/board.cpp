@@ -329,12 +329,29 @@ void Board::draw(DrawnMiss miss) {
     protocol_.trials.misses.push_back(std::move(miss));
 }
 
+namespace {
+
+std::size_t bits_of(const Exact& scalar) { return scalar.bits(); }
+std::size_t bits_of(const Vector& vector) { return vector.x.bits() + vector.y.bits(); }
+std::size_t bits_of(const ProjectivePoint& point) { return point.x.bits() + point.y.bits() + point.w.bits(); }
+std::size_t bits_of(const ProjectiveLine& line) { return line.a.bits() + line.b.bits() + line.c.bits(); }
+std::size_t bits_of(const std::vector<Value>& values) {
+    std::size_t sum = 0;
+    for (const Value& value : values) sum += std::visit([](const auto& each) { return bits_of(each); }, value);
+    return sum;
+}
+
+}  // namespace
+
 Protocol Board::finish() && {
     protocol_.values = std::move(memory_.values);
     for (Echo& echo : shifted_) {
         follow(echo);
+        protocol_.bits += bits_of(echo.memory.values);
         protocol_.shifted.push_back(std::move(echo.memory.values));
     }
+    protocol_.bits += bits_of(protocol_.values);
+    if (finer_) protocol_.bits += bits_of(finer_->memory.values);
     return std::move(protocol_);
 }
 

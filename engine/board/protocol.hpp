@@ -139,6 +139,8 @@ struct Protocol {
     Trials trials;
     /// By element, on each of the pose's shifted drawings, to about 200 bits. Empty where no datum is rounded.
     std::vector<std::vector<Value>> shifted;
+    /// Bits of all numbers of the construction, those of the finer and the shifted drawings included: what it cost.
+    std::size_t bits = 0;
 
     const ProjectivePoint& point(ElementIndex element) const {
         return std::get<ProjectivePoint>(values[at_index(element)]);

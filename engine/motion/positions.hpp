@@ -45,6 +45,9 @@ public:
     /// Moves along the branch by continuity. False: out of reach; `limit` gives where the driver stops, and the
     /// position is unchanged.
     bool move_to(double coordinate) { return walk_.move_to(coordinate); }
+    /// Whether the way there has so few steps that it can be walked: some most_turns, or most_sizes of the drawing.
+    bool is_near(double coordinate) const;
+    static constexpr int most_turns = 1000, most_sizes = 4500;
     double coordinate() const { return walk_.here().s; }
     /// Where the driver was last found to stop, within 1e-9 rad (or 1e-9 of the drawing's size).
     std::optional<double> limit() const { return walk_.limit(); }

@@ -125,16 +125,16 @@ Mechanism Mover::mechanism_at(const Drawn& drawn, const std::vector<BodyPlaceOf<
     return moved;
 }
 
-Pose Mover::pose_of(const Mechanism& moved, int bits) const {
+std::optional<Pose> Mover::pose_of(const Mechanism& moved, int bits) const {
     auto pose = draw_pose(moved, bits);
-    KG_ASSERT(pose.has_value(), "a closed position can be drawn");
+    if (!pose) return std::nullopt;
     pose->exact = false;
     for (std::size_t i = 0; i < pose->leftover.size(); ++i)
         if (carriers_[i].body != frame) pose->leftover[i] = pose->size * Exact::power_of_two(4 - bits);
     return *std::move(pose);
 }
 
-Repositioned Mover::moved(Positions& positions, const Exact& coordinate) const {
+std::optional<Repositioned> Mover::moved(Positions& positions, const Exact& coordinate) const {
     const PlacesOf places = positions.refined(drawn_.closure, coordinate);
     return moved(positions, places, positions.refined(finer_.closure, coordinate));
 }
@@ -146,15 +146,19 @@ std::optional<Repositioned> Mover::moved_across(const Positions& positions, cons
     return moved(positions, *places, *finer);
 }
 
-Repositioned Mover::moved(const Positions& positions, const PlacesOf& places, const PlacesOf& finer) const {
+std::optional<Repositioned> Mover::moved(const Positions& positions, const PlacesOf& places,
+                                         const PlacesOf& finer) const {
     Repositioned result;
     result.mechanism = mechanism_at(drawn_, places);
     for (Load& load : result.mechanism.loads)
         if (auto* torsion = std::get_if<TorsionLoad>(&load))
             torsion->turned +=
                 Exact::from_double(positions.turn(torsion->bodies[0]) - positions.turn(torsion->bodies[1]));
-    result.pose = pose_of(result.mechanism, drawn_.pose.bits);
-    result.finer = pose_of(mechanism_at(finer_, finer), finer_.pose.bits);
+    auto pose = pose_of(result.mechanism, drawn_.pose.bits);
+    auto finer_pose = pose ? pose_of(mechanism_at(finer_, finer), finer_.pose.bits) : std::nullopt;
+    if (!finer_pose) return std::nullopt;
+    result.pose = *std::move(pose);
+    result.finer = *std::move(finer_pose);
     return result;
 }
 

@@ -19,9 +19,10 @@ public:
     /// `pose` is the drawn one. Both are kept by reference.
     Mover(const Mechanism& mechanism, const Pose& pose);
 
-    /// `coordinate`, the driver's, is that of `positions`. Precondition: `positions` is not singular.
-    Repositioned moved(Positions& positions, const Exact& coordinate) const;
-    /// The same where `positions` is singular. None where the driver stops beside it.
+    /// `coordinate`, the driver's, is that of `positions`. Precondition: `positions` is not singular. None where sizes
+    /// are so far apart that the position closes in doubles and not as it is drawn.
+    std::optional<Repositioned> moved(Positions& positions, const Exact& coordinate) const;
+    /// The same where `positions` is singular. None where the driver stops beside it, too.
     std::optional<Repositioned> moved_across(const Positions& positions, const Exact& coordinate) const;
 
 private:
@@ -30,9 +31,9 @@ private:
         Closure closure;
     };
     using PlacesOf = std::vector<BodyPlaceOf<Exact>>;
-    Repositioned moved(const Positions& positions, const PlacesOf& places, const PlacesOf& finer) const;
+    std::optional<Repositioned> moved(const Positions& positions, const PlacesOf& places, const PlacesOf& finer) const;
     Mechanism mechanism_at(const Drawn& drawn, const std::vector<BodyPlaceOf<Exact>>& places) const;
-    Pose pose_of(const Mechanism& moved, int bits) const;
+    std::optional<Pose> pose_of(const Mechanism& moved, int bits) const;
 
     const Mechanism& mechanism_;
     Drawn drawn_, finer_;

@@ -54,6 +54,32 @@ TEST_F(Limits, OfASweep) {
     EXPECT_EQ(run("sweep chain.json --steps 2 -o out.csv").status, 0);
 }
 
+TEST_F(Limits, OfTheWayOfADriverWithALaw) {
+    const auto swung = [&](const std::string& turn) {
+        std::string text = contents(example_file("slider_crank_law"));
+        for (std::size_t at; (at = text.find("90°")) != std::string::npos;) text.replace(at, 4, turn);
+        std::ofstream(folder_ / "chain.json") << text;
+    };
+    swung("9e7°");
+    expect_refused("sweep chain.json -o out.csv", ".*° is too far to move driver 2 step by step; at most 1000 turns");
+    EXPECT_EQ(run("solve chain.json -o out.html").status, 0) << "one position is drawn";
+}
+
+// Work is counted in bits of the numbers, so a refusal is the same on every machine.
+TEST_F(Limits, OfPositionsThatNeedExactNumbers) {
+    const auto turned = [&](const std::string& omega) {
+        Json file = Json::parse(contents(example_file("four_bar_inertia")));
+        file["drivers"][0]["omega"] = "=" + omega;
+        std::ofstream(folder_ / "chain.json") << file;
+    };
+    turned("1e-60");
+    expect_refused("sweep chain.json -o out.csv",
+                   "quantities differ so much in size .* at most 250 million bits of them");
+    expect_refused("sweep chain.json -o out.svg", "quantities differ so much in size .* take fewer --steps");
+    turned("1e-3");
+    EXPECT_EQ(run("sweep chain.json -o out.csv").status, 0);
+}
+
 TEST_F(Limits, OfSheetsAndSteps) {
     write_chain(render::most_drawn_bodies + 1, {"velocity"});
     expect_refused("solve chain.json -o out.svg", "/find: a drawing has at most 250 bodies");

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 #include <sstream>
+#include <tuple>
 
 #include "tests/support/command_line.hpp"
 #include "tests/support/scissor_lift.hpp"
@@ -124,6 +125,28 @@ TEST_F(Sweep, LeavesRowsOutWhereTheAnswerIsNotOne) {
     EXPECT_EQ(through.status, 0) << through.err;
     EXPECT_NE(through.err.find("a change point at 126.8699°"), std::string::npos) << through.err;
     EXPECT_NE(through.err.find("the branch is a choice"), std::string::npos) << through.err;
+}
+
+// Where sizes are so far apart that no position is found, there are no rows, no columns and no limits to tell.
+TEST_F(Sweep, OfWhichNoPositionHasAnAnswerWritesNothing) {
+    const auto put = [&](const char* name, const Json::json_pointer& place, const Json& value) {
+        Json file = Json::parse(contents(example_file(name)));
+        file[place] = value;
+        write("far.json", file.dump());
+    };
+    for (const auto& [name, place, value] : {std::tuple("elliptic_trammel", "/points/B/meet/0/radius", 1e61),
+                                             {"stephenson_2_driver_2", "/points/A/distance", 1e9},
+                                             {"board_on_rollers", "/points/G/1", -1e20}}) {
+        put(name, Json::json_pointer(place), value);
+        const auto before = snapshot();
+        for (const char* const out : {"out.csv", "out.svg"}) {
+            const Outcome swept = run("sweep far.json -o " + std::string(out));
+            EXPECT_EQ(swept.err.find("nan"), std::string::npos) << swept.err;
+            if (swept.status == 0) continue;
+            EXPECT_TRUE(swept.status == 2 || swept.status == 3) << name << ": " << swept.status << swept.err;
+            EXPECT_EQ(changed_since(before), "") << name;
+        }
+    }
 }
 
 TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {

@@ -176,7 +176,7 @@ TEST(Cycle, ARowIsWhatAFileDrawnThereGives) {
         Positions positions = s.cycle->positions();
         const Exact coordinate = Exact(degrees) * pi() / 180;
         ASSERT_TRUE(positions.move_to(coordinate.to_double()));
-        Repositioned moved = Mover(*s.mechanism, *s.pose).moved(positions, coordinate);
+        Repositioned moved = *Mover(*s.mechanism, *s.pose).moved(positions, coordinate);
         const Solution exact = solve(std::move(moved.mechanism), std::move(moved.pose),
                                      [finer = std::move(moved.finer)] { return finer; });
         EXPECT_TRUE(exact.unsolved.empty());

@@ -36,7 +36,7 @@ public:
     Solution moved(double coordinate) {
         Positions positions = cycle_->positions();
         EXPECT_TRUE(positions.move_to(coordinate));
-        Repositioned there = Mover(mechanism_, pose_).moved(positions, Exact::from_double(coordinate));
+        Repositioned there = *Mover(mechanism_, pose_).moved(positions, Exact::from_double(coordinate));
         return solve(std::move(there.mechanism), std::move(there.pose),
                      [finer = std::move(there.finer)] { return finer; });
     }

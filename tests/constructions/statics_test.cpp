@@ -155,7 +155,7 @@ TEST(Springs, ElasticOnesPullByTheirStretchAlsoWhereTheyMove) {
             }
         Positions positions = cycle->positions();
         ASSERT_TRUE(positions.move_to(turn));
-        Repositioned moved = Mover(mechanism, drawn.pose).moved(positions, Exact::from_double(turn));
+        Repositioned moved = *Mover(mechanism, drawn.pose).moved(positions, Exact::from_double(turn));
         const Solution there = solve(std::move(moved.mechanism), std::move(moved.pose),
                                      [finer = std::move(moved.finer)] { return finer; });
         EXPECT_NEAR(there.efforts[0].value->to_double(), closed(turn), 1e-9) << turn;

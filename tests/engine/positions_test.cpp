@@ -287,7 +287,7 @@ TEST(Positions, AMovedMechanismIsClosedToItsLastBit) {
         Drawn d = drawn(example(name));
         const Exact coordinate = Exact::ratio(1, 3);
         ASSERT_TRUE(d.positions.move_to(coordinate.to_double()));
-        const Repositioned moved = Mover(d.mechanism, d.pose).moved(d.positions, coordinate);
+        const Repositioned moved = *Mover(d.mechanism, d.pose).moved(d.positions, coordinate);
         for (const auto& [pose, drawn_pose, bits] :
              {std::tuple(moved.pose, d.pose, 100), std::tuple(moved.finer, *draw_pose(d.mechanism, 200), 200)}) {
             // Two points that one body carries keep their distance.
