@@ -19,6 +19,7 @@ public:
     Mutation(Tree& tree, const Tree& donor, std::uint32_t seed) : tree_(tree), donor_(donor), random_(seed) {}
 
     void run() {
+        if (number(2) == 0) return nudge();
         const int count = 1 + number(4);
         for (int i = 0; i < count; ++i) change();
     }
@@ -66,6 +67,20 @@ private:
             case 9: return take_from_donor();
             case 10: return rename_key();
             default: return grow();
+        }
+    }
+
+    /// One to three numbers by some percent: mostly a mechanism still, in another position, which is drawn.
+    void nudge() {
+        auto numbers = all<Tree>(tree_, is_number);
+        std::erase_if(numbers, [](const auto& each) {
+            const std::string& key = each.first;  // the version of the format, and numbers that are names
+            return key == "kinegraph" || key == "frame" || key == "body" || key == "bodies";
+        });
+        if (numbers.empty()) return change();
+        for (int i = 1 + number(3); i > 0; --i) {
+            Tree& at = *any_of(numbers).second;
+            at = at.get<double>() * (1 + (number(101) - 50) * 1e-3);
         }
     }
 

@@ -7,7 +7,8 @@
 
 namespace kinegraph::fuzz {
 
-/// One to four changes: numbers, names, members, whole subtrees; `donor`, where it is another file, gives of its own.
+/// Half the time a few numbers change by some percent, so that many files are drawn; otherwise one to four changes of
+/// numbers, names, members, whole subtrees; `donor`, where it is another file, gives of its own.
 /// The same seed changes the same. Empty where the text is no JSON.
 std::string mutated(std::string_view text, std::string_view donor, std::uint32_t seed);
 
