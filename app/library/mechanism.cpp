@@ -104,7 +104,7 @@ MechanismFile::Counts MechanismFile::counts() const {
     return {mechanism.bodies.size(), mechanism.joints.size(), mechanism.drivers.size()};
 }
 
-Expected<std::vector<Text>> MechanismFile::check() const {
+Expected<std::vector<Text>> MechanismFile::check(Remedies remedies) const {
     const Mechanism& mechanism = state().mechanism;
     const auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
@@ -120,7 +120,7 @@ Expected<std::vector<Text>> MechanismFile::check() const {
     for (Message& each : remarks_on_lengths(mechanism, *pose)) found.push_back(std::move(each));
     for (Message& each : likely_mistakes(mechanism, *pose, mobility_of(mechanism, *pose)))
         found.push_back(std::move(each));
-    for (const Message& each : found) remarks->push_back(text_of(each));
+    for (const Message& each : found) remarks->push_back(text_of(each, remedies));
     return remarks;
 }
 

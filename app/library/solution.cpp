@@ -111,11 +111,13 @@ std::vector<Text> Solved::statements() const {
     return all;
 }
 
-std::vector<Solved::Missing> Solved::unsolved() const { return missing_of(state().solution.unsolved); }
+std::vector<Solved::Missing> Solved::unsolved(Remedies remedies) const {
+    return missing_of(state().solution.unsolved, remedies);
+}
 
-std::vector<Text> Solved::remarks() const {
+std::vector<Text> Solved::remarks(Remedies remedies) const {
     std::vector<Text> all;
-    for (const Message& each : state().solution.remarks) all.push_back(text_of(each));
+    for (const Message& each : state().solution.remarks) all.push_back(text_of(each, remedies));
     const Solution& solution = state().solution;
     if (solution.problem)
         for (const Words& each : solution.problem->remarks) all.push_back(text_of(each));

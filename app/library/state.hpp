@@ -66,9 +66,10 @@ struct Drawing::State : Owned {
 Expected<const render::Fonts*> fonts_of_thread();
 
 Text text_of(const Words& words);
-Text text_of(const Message& message);
+/// By tools: the text of lang::tools of the same name, if there is one.
+Text text_of(const Message& message, Remedies remedies = Remedies::in_file);
 std::vector<Text> texts_of(const std::vector<Words>& all);
-std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved);
+std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved, Remedies remedies = Remedies::in_file);
 Diagnostics diagnostics_of(const Errors& errors);
 /// With the message whole and in its two parts.
 Diagnostic diagnostic_of(Diagnostic::Kind kind, std::string place, const Words& message);

@@ -7,6 +7,7 @@
 #include "app/library/state.hpp"
 #include "kinegraph/version.hpp"
 #include "lang/keys/library.hpp"
+#include "lang/keys/tools.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/words.hpp"
 
@@ -29,7 +30,11 @@ Text filled(const Text& pattern, const std::vector<Text>& arguments) {
 }
 
 Text text_of(const Words& words) { return words; }
-Text text_of(const Message& message) {
+Text text_of(const Message& message, Remedies remedies) {
+    if (remedies == Remedies::by_tools)
+        for (std::size_t i = 0; i < lang::tools_section.size(); ++i)
+            if (lang::tools_section.name(i) == message.sentence.name())
+                return text_of(Message{Key{&lang::tools_section, i}, message.arguments, message.worked_arithmetic});
     return render::in_all([&](Language language) { return render::tell(message, language); });
 }
 
@@ -38,9 +43,9 @@ std::vector<Text> texts_of(const std::vector<Words>& all) {
     for (const Words& each : all) texts.push_back(text_of(each));
     return texts;
 }
-std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved) {
+std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved, Remedies remedies) {
     std::vector<Solved::Missing> all;
-    for (const Unsolved& each : unsolved) all.push_back({text_of(each.what), text_of(each.why)});
+    for (const Unsolved& each : unsolved) all.push_back({text_of(each.what), text_of(each.why, remedies)});
     return all;
 }
 

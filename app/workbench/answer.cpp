@@ -72,7 +72,7 @@ public:
         answer_["counts"] = {{"bodies", counts.bodies}, {"joints", counts.joints}, {"drivers", counts.drivers}};
         if (!add_position(*file)) return answer_;
         if (wants("mobility")) add_mobility(*file);
-        if (const auto remarks = file->check())
+        if (const auto remarks = file->check(Remedies::by_tools))
             add_texts("remarks", *remarks);
         else
             add_faults(remarks.error(), text_);
@@ -190,8 +190,8 @@ private:
         options_.drawing.theme = options_.theme;
         const auto solved = file.solve({with("equations"), with("virtual work"), wants_drawing()});
         if (!solved) return add_faults(solved.error(), text_);
-        add_texts("remarks", solved->remarks());
-        for (const Solved::Missing& each : solved->unsolved())
+        add_texts("remarks", solved->remarks(Remedies::by_tools));
+        for (const Solved::Missing& each : solved->unsolved(Remedies::by_tools))
             answer_["unsolved"].push_back({{"what", in(each.what)}, {"why", in(each.reason)}});
         if (wants("results")) answer_["results"] = solved->json(options_.exact);
         if (wants("values")) add_values(*solved);

@@ -73,7 +73,7 @@ export interface Value {
 export interface Answer {
     /** All faults of the file, in its order; none: it was solved as far as was wanted. */
     faults: Fault[];
-    /** What was probably forgotten, or what is worth knowing. */
+    /** What was probably forgotten, or what is worth knowing. What to do is said by the page's tools, as in `why`. */
     remarks: string[];
     /** Results that are not determined, each with the reason. Empty unless something solved was wanted. */
     unsolved: {what: string; why: string}[];

@@ -91,7 +91,7 @@ public:
     Counts counts() const;
     /// Places the points and looks for likely mistakes: points that two bodies share without a joint, unsupported
     /// bodies, conditions of an exercise that are not fulfilled. Fails if curves do not meet.
-    Expected<std::vector<Text>> check() const;
+    Expected<std::vector<Text>> check(Remedies remedies = Remedies::in_file) const;
     /// Places the points without solving anything. Fails if curves do not meet.
     Expected<DrawnPosition> drawn_position() const;
 

@@ -64,6 +64,12 @@ struct CheckedValue {
     double difference = 0;  ///< graphical − numeric, SI
 };
 
+/// How a remark or a reason says what to do.
+enum class Remedies {
+    in_file,  ///< what to write in the file: "add {\"revolute\": …}"
+    by_tools  ///< what to do in the workbench, by its tools and panels: "choose Link (L) …"
+};
+
 /// A solved file. An immutable value: copies share their state, and several threads may read the same one.
 ///
 /// A result that the mechanism does not determine (a dead point, too few equations) is not an error: unsolved() lists
@@ -102,11 +108,11 @@ public:
     /// The sentences of the worked solution, in order.
     std::vector<Text> statements() const;
     /// Results that are not determined, with the reason.
-    std::vector<Missing> unsolved() const;
+    std::vector<Missing> unsolved(Remedies remedies = Remedies::in_file) const;
     /// Why the solution has no such addition; none if it has, or could have, one.
     std::optional<Text> why_without(Addition addition) const;
     /// Remarks: redundant constraints, points that were moved onto curves, bodies that separate.
-    std::vector<Text> remarks() const;
+    std::vector<Text> remarks(Remedies remedies = Remedies::in_file) const;
     /// Each result and its value by the numeric check, which shares only the file with the construction.
     std::vector<CheckedValue> checks() const;
 

@@ -438,9 +438,12 @@ private:
     /// Returns the top of the next row.
     double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double y) const {
         double tallest = 0, below = 0;
+        StatementIndex first = none;  // of those with a table
         for (const std::size_t i : row) {
             tallest = std::max(tallest, cells[i].figure.box.height());
             below = std::max(below, items_[i].table.height);
+            if (!items_[i].table.marks.empty())
+                first = first == none ? items_[i].statement : std::min(first, items_[i].statement);
         }
         double x = indent_of(names);
         bool named = names.width <= 0;
@@ -449,8 +452,8 @@ private:
             if (const Block& table = items_[i].table; !table.marks.empty()) {
                 const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
                 set_table(all, table, at, items_[i].statement);
-                // The names of the rows stand before the first one.
-                if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, none);
+                // The names of the rows stand before the first table, and are there with the earliest.
+                if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, first);
                 named = all.has_table = true;
             }
             x += cells[i].size.x + between;

@@ -608,6 +608,56 @@ test('the text is the mechanism, both ways, and a fault stands at its place', as
     assert.deepEqual(messages, []);
 });
 
+test('what is missing is said by the tools of the page, not by the keys of the file', async () => {
+    await begin();
+    const advice = page.locator('#advice'), status = page.locator('#status');
+    const given = JSON.parse(exampleText('four_bar.json'));
+    const opened = async (change) => {
+        const file_ = structuredClone(given);
+        change(file_);
+        await page.evaluate((mine) => window.workbench.open(mine, 'mine.json', null), JSON.stringify(file_));
+        await settled();
+        const said = await page.evaluate(async (mine) => {
+            const all = [];
+            for (const lang of ['en', 'it', 'fr', 'de', 'es']) {
+                const {remarks, unsolved} = await window.workbench.engine.answer({
+                    text: mine, name: 'mine.json', want: ['position', 'mobility', 'values'], options: {lang}
+                });
+                all.push(...remarks, ...unsolved.map(({why}) => why));
+            }
+            return all;
+        }, JSON.stringify(file_));
+        for (const each of said) assert.doesNotMatch(each, /["{]/);
+        assert.doesNotMatch(await status.textContent() + await advice.textContent(), /["{]/);
+        return said.length;
+    };
+    const withoutHinge = (...points) => (file_) =>
+        (file_.joints = file_.joints.filter(({revolute}) => !points.includes(revolute)));
+    assert.ok(await opened((file_) => delete file_.drivers) > 0);
+    assert.match(await status.textContent(), /1 not driven. Choose Driver \(D\)/);
+    assert.ok(await opened((file_) => file_.drivers.push({body: 4, omega: 1}, {body: 3, omega: 1})) > 0);
+    assert.match(await advice.textContent(), /3 drivers for 1 freedom.*press Delete/);
+    assert.ok(await opened(withoutHinge('O2', 'O4')) > 0);
+    assert.match(await advice.textContent(), /choose Ground pivot \(G\)/);
+    assert.equal(await opened((file_) =>
+        (file_.loads = [{force: 'F', body: 3, at: 'B', magnitude: 10, along: -90}])), 0);
+    assert.match(await advice.textContent(), /^To find the forces/);
+    // What is advised can be done, and mends it.
+    assert.ok(await opened(withoutHinge('B')) > 0);
+    assert.match(await advice.textContent(), /select B and press “Pin the links together”/);
+    await run(`workbench.select('/points/B')`);
+    await page.locator('#pin').click();
+    await settled();
+    assert.match(await status.textContent(), /^✓ solved/);
+    assert.equal(await page.locator('#pin').count(), 0);
+    assert.deepEqual((await file()).joints.at(-1), {revolute: 'B', bodies: [3, 4]});
+    // A fault's remedy, which is of the file, stands where the file is shown.
+    await opened((file_) => (file_.points.B = {meet: file_.points.B.meet}));
+    assert.match(await status.textContent(), /^Fault: the circles meet twice\. What to do stands in File\.$/);
+    assert.match(await page.locator('#faults').textContent(), /"side"/);
+    assert.deepEqual(messages, []);
+});
+
 test('a file that was changed elsewhere is not written over unasked', async () => {
     writeFileSync(path, exampleText('four_bar.json'));
     await begin();

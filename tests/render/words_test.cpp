@@ -33,6 +33,7 @@
 #include "lang/keys/positions.hpp"
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
+#include "lang/keys/tools.hpp"
 #include "lang/keys/units.hpp"
 #include "lang/keys/wishes.hpp"
 #include "lang/pattern.hpp"
@@ -152,6 +153,31 @@ std::set<char> places_of(const std::string& text) {
     for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at)
         places.insert((*at)[1].str().front());
     return places;
+}
+
+TEST(Words, OfToolsStandForTextsOfTheSameNameAndQuoteNoFile) {
+    const lang::Section& tools = lang::tools_section;
+    std::size_t spoken_of_the_file = 0;
+    for (const Key& sentence : all_sentences()) {
+        std::optional<Key> said;
+        for (std::size_t i = 0; i < tools.size(); ++i)
+            if (tools.name(i) == sentence.name()) said = Key{&tools, i};
+        for (const Language language : languages) {
+            const std::string& of_file = sentence.in(language);
+            if (of_file.find('"') != std::string::npos) {
+                ++spoken_of_the_file;
+                EXPECT_TRUE(said) << of_file << " has no text for those who draw";
+            }
+            if (!said) continue;
+            EXPECT_EQ(said->in(language).find('"'), std::string::npos) << said->in(language);
+            const std::set<char> has = places_of(of_file);
+            for (const char place : places_of(said->in(language))) EXPECT_TRUE(has.contains(place)) << of_file;
+        }
+    }
+    EXPECT_GE(spoken_of_the_file, 5 * languages.size());
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        EXPECT_TRUE(std::ranges::any_of(all_sentences(), [&](const Key& each) { return each.name() == tools.name(i); }))
+            << tools.name(i);
 }
 
 TEST(Words, HaveThePlacesOfEnglishInEveryLanguage) {

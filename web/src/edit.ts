@@ -21,6 +21,16 @@ export function typed(text: string) {
 /** A body's name as files write it: 2 where it is a number. */
 export const bodyValue = (name: string) => (/^(0|[1-9]\d{0,8})$/.test(name) ? Number(name) : name);
 
+/** The bodies that meet where a point lies, by it or by another point at its place; none, if joints join them there. */
+export function unjoinedAt(model: Model, spots: Spots, point: string) {
+    const [x, y] = spots[point] ?? [NaN, NaN];
+    const there = model.points.map(({name}) => name)
+        .filter((name) => name === point || (spots[name]?.[0] === x && spots[name][1] === y));
+    const bodies = [...new Set(there.flatMap((name) => model.bodiesAt(name)))];
+    const joined = new Set(model.joints.filter((each) => there.includes(each.point)).flatMap((each) => each.bodies));
+    return bodies.length < 2 || bodies.every((each) => joined.has(each)) ? [] : bodies;
+}
+
 /** A file's text while several changes are made that belong together. */
 export class Edit {
     readonly spots: Spots;
@@ -79,6 +89,12 @@ export class Edit {
         if (!there) return this.add(['joints'], {revolute: point, bodies: bodies.map(bodyValue)});
         for (const body of bodies)
             if (!there.bodies.includes(body)) this.add([...there.path, 'bodies'], bodyValue(body));
+    }
+    /** Pins the bodies together that meet where a point lies. */
+    pinTogether(point: string) {
+        const bodies = unjoinedAt(this.model, this.spots, point);
+        for (const body of bodies) if (body !== this.model.frame) this.addPointToBody(point, body);
+        this.addHinge(point, bodies);
     }
     /** Fixes a point to the frame: a hinge of its bodies, or one of the frame's points where it has none yet. */
     addGround(point: string) {

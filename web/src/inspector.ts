@@ -1,6 +1,7 @@
 // The panel of properties: of what is selected, otherwise of the whole mechanism.
 import type {Bench} from './bench';
 import {byId, html} from './dom';
+import {unjoinedAt} from './edit';
 import {asTyped, button, choice, field, fileField, heading, told} from './fields';
 import {bodyFields, driverFields, jointFields, loadFields, massFields} from './inspector_parts';
 import type {Json} from './json_text';
@@ -59,14 +60,12 @@ export class Inspector {
             )
         );
         rows.push(...this.ofPlacing(kind, form, path, others));
+        const acts = html('div', {class: 'acts'});
         if (bench.selection && !model.isGround(name))
-            rows.push(
-                html(
-                    'div',
-                    {class: 'acts'},
-                    button(word('make_ground'), () => bench.edit((edit) => edit.addGround(name)), 'make-ground')
-                )
-            );
+            acts.append(button(word('make_ground'), () => bench.edit((edit) => edit.addGround(name)), 'make-ground'));
+        if (unjoinedAt(model, bench.spots, name).length > 0)
+            acts.append(button(word('pin_together'), () => bench.edit((edit) => edit.pinTogether(name)), 'pin'));
+        if (acts.hasChildNodes()) rows.push(acts);
         rows.push(
             ...links(
                 bench,

@@ -2,7 +2,7 @@
 import type {Bench} from './bench';
 import {byId, html} from './dom';
 import {rounded} from './edit';
-import type {Answer} from '../../app/workbench/protocol';
+import type {Answer, Fault} from '../../app/workbench/protocol';
 import {SelectTool} from './tools';
 import {word} from './words';
 
@@ -15,26 +15,33 @@ export class Status {
     show() {
         const {answer, inquiry} = this.bench, status = byId('status'), advice = byId('advice');
         if (!answer) return;
-        const faults = answer.failure ? 1 : answer.faults.length,
-            first = answer.failure ?? answer.faults[0]?.text ?? '';
+        const faults = answer.failure ? 1 : answer.faults.length;
         const unsolved = answer.unsolved.length;
         let [look, says] = ['', ''];
         if (answer.failure) [look, says] = ['bad', word('engine_lost')];
-        else if (faults > 0)
-            [look, says] = ['bad', `${faults > 1 ? word('faults', faults) : word('one_fault')} ${first}`];
+        else if (faults > 0) {
+            const heading = faults > 1 ? word('faults', faults) : word('one_fault');
+            [look, says] = ['bad', `${heading} ${wrong(answer.faults[0])}`];
+        }
         else if (answer.values && unsolved > 0) [look, says] = ['open', this.missing(answer)];
         else if (answer.values && answer.values.length > 0)
             [look, says] = ['good', this.solved(Math.round(inquiry.took))];
         if (status.textContent !== says) status.textContent = says;
         status.className = look;
-        const remarks = faults > 0 ? [] : answer.remarks;
+        const remarks = faults > 0 ? [] : [...answer.remarks, ...this.forcesWanted(answer)];
         advice.replaceChildren(...remarks.slice(0, 4).map((each) => html('li', {}, each)));
         byId('advice-box').hidden = remarks.length === 0 || this.bench.model.points.length === 0;
+    }
+    /** Loads without figures of forces: nothing was asked to balance them. */
+    forcesWanted({names, unsolved}: Answer) {
+        const {loads, drivers, file} = this.bench.model;
+        const isAsked = file.effort !== undefined || unsolved.length > 0 || !names || names.includes('forces');
+        return loads.length === 0 || drivers.length === 0 || isAsked ? [] : [word('forces_wanted')];
     }
     /** What is missing: a driver where something is free to move, otherwise what the engine could not determine. */
     missing({mobility, counts, unsolved: [first]}: Answer) {
         const effective = mobility?.effective ?? 0, free = effective - (counts?.drivers ?? 0);
-        return free > 0 ? `${word('freedom')}: ${word('freedom_free', effective, free)}` :
+        return free > 0 ? `${word('freedom')}: ${word('freedom_free', effective, free)}. ${word('drive_more')}` :
             `${word('not_determined')} ${first.what}: ${first.why}`;
     }
     solved(milliseconds: number) {
@@ -74,3 +81,7 @@ function greatestDifference(results: string) {
         0
     );
 }
+
+/** What is wrong. A remedy is said in terms of the file, and so where the file is shown. */
+const wrong = ({text, fault, remedy}: Fault) =>
+    fault && remedy ? `${fault}. ${word('remedy_in_file')}` : text;
