@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "lang/keys/common.hpp"
 #include "lang/keys/sentences.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
@@ -397,6 +398,30 @@ TEST(ForceResults, AsTextListReactionsAndEfforts) {
     for (const char* words : {"Reactions", "Fx [MN]", "A: 0 on 1", "Efforts", "F_G"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     EXPECT_NE(results_table(example("sluice_gate"), Language::it).find("Reazioni"), std::string::npos);
+}
+
+/// On the live page they come and go with the table: alone they would be heads without rows.
+TEST(ForceEquations, HaveTheNamesOfTheirRowsByTheSentenceOfATable) {
+    const Theme theme;
+    std::size_t named = 0;
+    for (const std::string& name : loaded_examples()) {
+        const Solution& solution = example(name);
+        if (!has_force_polygons(solution)) continue;
+        const DrawingContext context{solution, theme, fonts()};
+        const Figure figure = force_polygons_figure(context, 180, 110);
+        std::set<StatementIndex> tables;
+        for (const Mark& mark : figure.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark); text != nullptr && text->words == "?")
+                tables.insert(text->statement);
+        for (const Mark& mark : figure.marks) {
+            const auto* text = std::get_if<TextMark>(&mark);
+            if (text == nullptr || text->words != lang::common::magnitude.in(Language::en)) continue;
+            ++named;
+            EXPECT_NE(text->statement, none) << name;
+            EXPECT_TRUE(tables.contains(text->statement)) << name;
+        }
+    }
+    EXPECT_GT(named, 5U);
 }
 
 /// Below the equation of a polygon what an earlier sentence found is known, whichever body it was found on; and the
