@@ -36,7 +36,6 @@ constexpr auto layers_by_class = std::to_array<std::pair<std::string_view, std::
     {"spring", "springs"},
     {"torsion-spring", "springs"},
     {"gas-spring", "springs"},
-    {"pull", "springs"},
     {"ground", "ground"},
     {"tint", "tint"},
     {"construction", "construction"},

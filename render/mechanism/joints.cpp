@@ -124,7 +124,7 @@ void draw_coil(Sketch& sketch, const SpringLoad& spring) {
 /// Two points that a force of a given magnitude pulls together, as a rope does.
 void draw_pull(Sketch& sketch, const SpringLoad& pull) {
     sketch.ground.emplace_back(
-        GroupBegin{"pull", sketch.id("spring", pull.name), pull.name, {}, none, between_ends(pull)});
+        GroupBegin{"spring", sketch.id("spring", pull.name), pull.name, {}, none, between_ends(pull)});
     sketch.ground.emplace_back(line(sketch.spot(pull.between[0]), sketch.spot(pull.between[1]), sketch.outline()));
     sketch.ground.emplace_back(GroupEnd{});
 }

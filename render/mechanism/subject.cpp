@@ -18,6 +18,10 @@ bool holds(const Joint& joint, BodyIndex body) {
            is_tip(joint, body);
 }
 
+bool is_within(const Box& box, Spot spot) {
+    return spot.x >= box.min.x && spot.x <= box.max.x && spot.y >= box.min.y && spot.y <= box.max.y;
+}
+
 }  // namespace
 
 Subject::Subject(const Solution& s)
@@ -85,6 +89,14 @@ void Subject::measure() {
         }
     if (!covered.empty()) box = covered.front();
     for (const Box& each : covered) box.include(each);
+    // The centre of a curved slot is shown where the drawing grows little by it.
+    constexpr double little = 0.25;
+    const Box near = grown(box, little * std::max(box.width(), box.height()));
+    for (const Joint& joint : mechanism.joints)
+        if (is_curved_slot(joint) && is_within(near, points[at_index(joint.arc)])) {
+            shown[at_index(joint.arc)] = true;
+            box.include(points[at_index(joint.arc)]);
+        }
 }
 
 bool Subject::touches_there(BodyIndex body, PointIndex point) const {

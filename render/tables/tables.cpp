@@ -867,6 +867,21 @@ std::string length_between(PointIndex a, PointIndex b, const Solution& solution,
     return (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol;
 }
 
+/// The curved slots in a body: the centre and radius that its normal accelerations v²/ρ need.
+std::vector<RichText> circular_slots(BodyIndex body, const Solution& solution, Language language) {
+    std::vector<RichText> all;
+    const Mechanism& mechanism = solution.mechanism;
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.arc == none || joint.bodies.size() != 2 || joint.bodies[1] != body) continue;
+        const Symbol centre{Symbol::Letter::point, mechanism.point(joint.arc).name, ""};
+        all.push_back(
+            word(lang::sheet::circular_slot,
+                 {typeset(centre, language), one_piece(length_between(joint.arc, joint.point, solution, language))},
+                 language));
+    }
+    return all;
+}
+
 /// "crank O₂A, 80 mm".
 RichText describe(BodyIndex index, const Solution& solution, Language language) {
     const Mechanism& mechanism = solution.mechanism;
@@ -890,10 +905,11 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
     append(text, joined);
     if (points.size() == 2 && !roles.slides && !roles.slides_on_frame)
         append(text, ", " + length_between(points[0], points[1], solution, language));
-    for (const RichText& each : coincident_points(index, solution, language)) {
-        append(text, ", ");
-        append(text, each);
-    }
+    for (const auto& also : {circular_slots, coincident_points})
+        for (const RichText& each : also(index, solution, language)) {
+            append(text, ", ");
+            append(text, each);
+        }
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,27 @@ std::string lever_on_cam(const std::string& force) {
 TEST(ToldAsFound, RoundProfilesThatPullLiftOff) {
     EXPECT_TRUE(remarked(solved(lever_on_cam("7")), lang::sentences::lift_off));
     EXPECT_FALSE(remarked(solved(lever_on_cam("-7")), lang::sentences::lift_off));
+}
+
+/// A pin in a slot curved about K: the normal part of its relative acceleration is v²/ρ.
+TEST(ToldAsFound, TheNormalPartInACurvedSlotIsTheSquareByTheRadius) {
+    const Solution slotted = solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O2": [0, 0], "A": [30, 40], "O4": [-120, -20], "K": [-114, -8]},
+        "bodies": {"2": ["O2", "A"], "4": ["O4"]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "O4", "bodies": [1, 4]},
+                   {"pin-slot": "A", "bodies": [2, 4], "arc": "K"}],
+        "drivers": [{"body": 2, "omega": 20}], "find": ["velocity", "acceleration"]})");
+    std::size_t by_square = 0;
+    for (const Statement& each : slotted.protocol.statements)
+        for (const Working& working : each.message.worked_arithmetic) {
+            if (working.of.about != "AA*" || working.of.term != "n") continue;
+            ASSERT_EQ(working.factors.size(), 1U);
+            EXPECT_TRUE(working.factors.front().squared);
+            ASSERT_TRUE(working.divisor);
+            EXPECT_NEAR(*working.divisor, std::hypot(0.144, 0.048), 1e-15);
+            ++by_square;
+        }
+    EXPECT_EQ(by_square, 1U);
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ bool is_tint(const Path& path, Colour paper) {
 /// The kind and the owner of a path in a figure, from the groups that contain it.
 std::pair<Fault::Kind, std::string> role_of(const std::vector<const GroupBegin*>& groups, const Path& path) {
     constexpr std::array vectors{"vector", "force", "velocity", "arrows"};
-    constexpr std::array mechanism{"link", "joint", "spring", "pull", "links", "joints", "ground"};
+    constexpr std::array mechanism{"link", "joint", "spring", "links", "joints", "ground"};
     const auto is_one_of = [](const auto& roles, const std::string& cls) { return std::ranges::count(roles, cls) > 0; };
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
         const std::string& cls = (*group)->cls;

@@ -57,12 +57,18 @@ void OfMotion::drawn(const DrawnVector& vector) {
         return telling_.tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
     const bool known = is_known(vector);
     Factors factors = known ? factors_of(vector, si) : Factors{};
+    std::optional<double> divisor;
+    if (const std::optional<double> sliding = known ? speed_in_slot(vector) : std::nullopt) {
+        factors = {{in(*sliding, units_.velocity), true}};
+        divisor = in(lever_of(vector), units_.velocity) *
+                  (units_.acceleration.si.to_double() / units_.velocity.si.to_double());
+    }
     // A known term of an equation needs no value unless there is arithmetic.
     if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
     if (said.sentence == lang::sentences::crank_velocity && !factors.empty())
         telling_.tell_given_turning(vector.statement, std::get<Symbol>(said.arguments[4]),
                                     telling_.spin(vector.body, Symbol::Letter::omega));
-    telling_.tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
+    telling_.tell(vector.statement, vector.symbol, std::move(factors), divisor, value, unit);
     if (vector.role == Role::coriolis) tell_direction(vector);
 }
 
@@ -134,6 +140,17 @@ Factors OfMotion::factors_of(const DrawnVector& vector, double si) {
         }
         default: return {};
     }
+}
+
+/// Of a normal term of a slide: the relative velocity of the same two places, of which it is v²/ρ.
+std::optional<double> OfMotion::speed_in_slot(const DrawnVector& normal) const {
+    if (normal.role != Role::normal || normal.seen.about == none) return std::nullopt;
+    for (const DrawnVector& vector : protocol_.vectors)
+        if (vector.role == Role::sliding && protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity &&
+            vector.seen.of.place == normal.seen.of.place && vector.seen.of.body == normal.seen.of.body &&
+            vector.seen.to.body == normal.seen.to.body)
+            return protocol_.modulus_of(vector);
+    return std::nullopt;
 }
 
 double OfMotion::lever_of(const DrawnVector& vector) const {

@@ -35,6 +35,7 @@ private:
     std::optional<Vector> auxiliary_named(const std::string& name) const;
     bool is_known(const DrawnVector& vector) const;
     Factors factors_of(const DrawnVector& vector, double si);
+    std::optional<double> speed_in_slot(const DrawnVector& normal) const;
     double lever_of(const DrawnVector& vector) const;
     std::optional<double> segment_length(const Segment& segment) const;
     std::optional<Vector> centre_of(BodyIndex first, BodyIndex second) const;
