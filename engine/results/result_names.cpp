@@ -71,16 +71,19 @@ public:
             add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
         for (const Column& column : columns_) taken_.insert(column.name);
         add_on_request();
-        for (const auto& [quantity, subject] : vectors_) add_unless_taken(modulus_column(quantity, m_, subject));
+        for (Column& modulus : vectors_) add_unless_taken(std::move(modulus));
         return std::move(columns_);
     }
 
 private:
     void add(const Quantity& quantity, const std::string& subject) { add_columns(quantity, m_, subject, columns_); }
-    void add_vector(const Quantity& quantity, const std::string& subject) {
+    void add_vector(const Quantity& quantity, const std::string& subject, bool names_carrier = false) {
+        const std::size_t first = columns_.size();
         add(quantity.along(Quantity::Component::x), subject);
         add(quantity.along(Quantity::Component::y), subject);
-        vectors_.emplace_back(quantity, subject);
+        for (std::size_t i = first; i < columns_.size(); ++i) columns_[i].names_carrier = names_carrier;
+        vectors_.push_back(modulus_column(quantity, m_, subject));
+        vectors_.back().names_carrier = names_carrier;
     }
     void add_point(PointIndex point) {
         std::vector<BodyIndex> carriers;
@@ -100,7 +103,7 @@ private:
             if (carriers.size() == 1) continue;
             for (const BodyIndex body : carriers)
                 add_vector({.kind = kind, .body = body, .point = point},
-                           m_.point(point).name + " on " + m_.body(body).name);
+                           m_.point(point).name + " on " + m_.body(body).name, true);
         }
     }
     void add_joint(const Joint& joint) {
@@ -161,7 +164,8 @@ private:
     void add_vector_unless_taken(const Quantity& quantity) {
         add_unless_taken(quantity.along(Quantity::Component::x));
         add_unless_taken(quantity.along(Quantity::Component::y));
-        if (result_kind(quantity).shape == ResultKind::Shape::vector) vectors_.emplace_back(quantity, "");
+        if (result_kind(quantity).shape == ResultKind::Shape::vector)
+            vectors_.push_back(modulus_column(quantity, m_, ""));
     }
     void add_unless_taken(const Quantity& quantity) {
         std::vector<Column> added;
@@ -176,7 +180,7 @@ private:
     int driver_;
     std::vector<Column> columns_;
     std::unordered_set<std::string> taken_;  ///< names of columns_
-    std::vector<std::pair<Quantity, std::string>> vectors_;
+    std::vector<Column> vectors_;            // as lengths
     std::vector<std::pair<BodyIndex, PointIndex>> carried_;
     std::vector<Quantity> actions_;
 };

@@ -37,6 +37,7 @@ struct Column {
     std::string si_unit = {};                           ///< of an expression whose quantity has no kind: "m²/s³"
     std::optional<Dimension> dimension = std::nullopt;  ///< of an expression or a parameter
     std::optional<Key> said = std::nullopt;             ///< on paper, where it is not called by its name
+    bool names_carrier = false;  ///< of a point: as one of several bodies carries it, "vx A on 4"
 };
 
 /// The travel of a driver.

@@ -55,8 +55,9 @@ struct PointName {
     std::string name;
 };
 struct BodyName {
-    /// Truss: all of it, cut free whole, or a bar of it. Pin: of a hinge, a node of its own, named by its point.
-    enum class As { body, truss, pin };
+    /// Bodies: several, "2 + 3". With pin: one with a pin on it, "2+C". Truss: all of it, cut free whole, or a bar of
+    /// it. Pin: of a hinge, a node of its own, named by its point.
+    enum class As { body, bodies, with_pin, truss, pin };
     std::string name;
     As as = As::body;
 };

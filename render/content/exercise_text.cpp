@@ -263,8 +263,7 @@ private:
     /// A point, with the body if several bodies carry it separately.
     RichText carried(const Column& column) const {
         const Quantity& q = column.quantity;
-        const bool apart = column.name.ends_with(" on " + mechanism_.body(q.body).name);
-        if (!apart) return name(q.point);
+        if (!column.names_carrier) return name(q.point);
         return filled(lang::sheet::asked_point_of_body, {name(q.point), plain_words(mechanism_.body(q.body).name)});
     }
 

@@ -16,6 +16,10 @@
 namespace kinegraph::render {
 namespace {
 
+std::string heading_of_detail(const std::string& letter, Language language) {
+    return word(lang::sheet::detail, language) + " " + letter;
+}
+
 constexpr double corner_side = 1.8;  // of the mark of a right angle
 
 // mm; a vector shorter than its arrowhead is hard to see, and its reading has an error of 2 % or more.
@@ -354,12 +358,13 @@ private:
                     statement = vector.statement;
             const std::size_t first = figure_.marks.size();
             figure_.marks.emplace_back(GroupBegin{
-                "detail", "", word(lang::sheet::detail, context_.language) + " " + detail.letter, {}, statement});
+                "detail", "", heading_of_detail(detail.letter, context_.language), {}, statement, {}, detail.number});
             figure_.marks.emplace_back(circle(detail.centre, radius, {theme_.thin, theme_.text, {}, false}));
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
             ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
-            figure_.details.push_back({"", detail.letter, detail.centre, radius, 0});
+            figure_.labels.back().detail = detail.number;
+            figure_.details.push_back({"", detail.letter, detail.centre, radius, 0, detail.number});
         }
     }
 
@@ -375,11 +380,6 @@ private:
 std::string roman(std::size_t number) {
     constexpr std::array<const char*, 10> numerals{"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
     return number <= numerals.size() ? numerals[number - 1] : std::to_string(number);
-}
-
-/// Whether it is the group of a detail, which is a figure within a figure.
-bool is_detail(const GroupBegin& group) {
-    return group.cls == "figure" && !group.attributes.empty() && group.attributes.front().second == "detail";
 }
 
 /// Short vectors near each other.
@@ -513,7 +513,7 @@ Figure blank_inset(const Figure& figure, const DrawingContext& context, const De
     Figure inset;
     inset.data_figure = "detail";
     inset.id = figure.id + "-detail-" + detail.letter;
-    inset.caption = one_piece(word(lang::sheet::detail, context.language) + " " + detail.letter);
+    inset.caption = one_piece(heading_of_detail(detail.letter, context.language));
     inset.scale = detail.scale;
     inset.unit = figure.unit;
     return inset;
@@ -522,15 +522,18 @@ Path circle_of(const Detail& detail, const Theme& theme) {
     return circle({0, 0}, radius_of(detail), {theme.thin, theme.text, {}, false});
 }
 /// Name and scale above an inset, its scale bar below.
-void add_legend(Figure& inset, const DrawingContext& context, double radius) {
+void add_legend(Figure& inset, const DrawingContext& context, const Detail& detail) {
     const Theme& theme = context.theme;
     const Box drawn = box_of(inset.marks);
     const ShapedLine name = context.fonts.shape(inset.caption, theme.label);
     const ShapedLine scale = context.fonts.shape(scale_words(context, inset), theme.body_text);
+    const std::size_t heading = inset.marks.size();
     set_text(inset.marks, name, {-name.width / 2, drawn.min.y - 6.2}, theme.text, "text");
+    std::get<TextMark>(inset.marks[heading]).detail = detail.number;
     set_text(inset.marks, scale, {-scale.width / 2, drawn.min.y - 2}, theme.secondary, "text");
     std::vector<Mark> bar;
-    draw_scale_bar(bar, context.fonts, theme, {0, 0}, 1.4 * radius, inset.scale, 1, inset.unit, context.language);
+    draw_scale_bar(bar, context.fonts, theme, {0, 0}, 1.4 * radius_of(detail), inset.scale, 1, inset.unit,
+                   context.language);
     const Box size = box_of(bar);
     render::move(bar, -0.5 * (size.min.x + size.max.x), drawn.max.y + 2 - size.min.y);
     inset.marks.insert(inset.marks.end(), std::make_move_iterator(bar.begin()), std::make_move_iterator(bar.end()));
@@ -560,6 +563,7 @@ private:
         for (const PolygonVector& vector : parts.vectors)
             if (statement == none || vector.statement < statement) statement = vector.statement;
         open_group(inset, statement);
+        std::get<GroupBegin>(inset.marks.back()).detail = detail.number;
         inset.marks.emplace_back(circle_of(detail, context_.theme));
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
@@ -567,7 +571,7 @@ private:
         all_free_ = place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free,
                                  context_.theme.secondary) &&
                     all_free_;
-        add_legend(inset, context_, radius);
+        add_legend(inset, context_, detail);
         inset.marks.emplace_back(GroupEnd{});
         inset.box = box_of(inset.marks);
         return inset;
@@ -698,7 +702,8 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
     std::vector<Detail> details;
     for (const std::size_t i : kept) {
         details.push_back(rounds[i]);
-        details.back().letter = roman(++letters);
+        details.back().number = ++letters;
+        details.back().letter = roman(letters);
     }
     return details;
 }
@@ -721,7 +726,7 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
         // A lower bound of the size: circle and legend, rounded down to whole millimetres.
         Figure inset = blank_inset(strokes, context, detail);
         inset.marks.emplace_back(circle_of(detail, context.theme));
-        add_legend(inset, context, radius_of(detail));
+        add_legend(inset, context, detail);
         const Box least = box_of(inset.marks);
         return occupancy.has_free(static_cast<int>(least.width() + 2 * apart.x) - 1,
                                   static_cast<int>(least.height() + 2 * apart.y) - 1);
@@ -738,14 +743,11 @@ namespace {
 /// The details of a figure with new letters; `before`: number of letters in use. Nested details are last.
 std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::size_t before) {
     std::vector<DetailOn> anew = details;
-    for (DetailOn& each : anew)
-        for (std::size_t k = 0; k < details.size(); ++k)
-            if (each.letter == roman(k + 1)) {
-                each.id.resize(each.id.size() - each.letter.size());
-                each.letter = roman(before + k + 1);
-                each.id += each.letter;
-                break;
-            }
+    for (DetailOn& each : anew) {
+        each.id.resize(each.id.size() - std::min(each.id.size(), each.letter.size()));
+        each.letter = roman(before + each.number);
+        each.id += each.letter;
+    }
     return anew;
 }
 
@@ -753,15 +755,15 @@ std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::s
 class Lettering {
 public:
     Lettering(Figure& figure, const DrawingContext& context, std::size_t before)
-        : figure_(figure),
-          context_(context),
-          heading_(word(lang::sheet::detail, context.language) + " "),
-          was_(figure.details),
-          is_(lettered_anew(figure.details, before)) {}
+        : figure_(figure), context_(context), was_(figure.details), is_(lettered_anew(figure.details, before)) {}
 
     void change() {
         for (DrawnAxis& each : figure_.axes)
-            if (const auto detail = lettered(each.detail)) each.detail = is_[*detail].letter;
+            for (std::size_t i = 0; i < was_.size(); ++i)
+                if (each.detail == was_[i].letter) {
+                    each.detail = is_[i].letter;
+                    break;
+                }
         figure_.details = is_;
         for (Mark& mark : figure_.marks)
             if (auto* group = std::get_if<GroupBegin>(&mark)) rename(*group);
@@ -769,18 +771,16 @@ public:
     }
 
 private:
-    std::optional<std::size_t> lettered(const std::string& letter) const {
+    /// The detail with this number; null: none has it.
+    const DetailOn* numbered(std::size_t number) const {
         const auto found =
-            std::find_if(was_.begin(), was_.end(), [&](const DetailOn& each) { return each.letter == letter; });
-        return found == was_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - was_.begin()));
-    }
-    std::optional<std::size_t> headed(const std::string& words) const {
-        return words.starts_with(heading_) ? lettered(words.substr(heading_.size())) : std::nullopt;
+            std::find_if(is_.begin(), is_.end(), [&](const DetailOn& each) { return each.number == number; });
+        return found == is_.end() ? nullptr : &*found;
     }
 
     void rename(GroupBegin& group) const {
-        if (group.cls == "detail" || is_detail(group))
-            if (const auto detail = headed(group.title)) group.title = heading_ + is_[*detail].letter;
+        if (const DetailOn* detail = numbered(group.detail))
+            group.title = heading_of_detail(detail->letter, context_.language);
         for (std::size_t i = 0; i < was_.size(); ++i)
             if (group.id == was_[i].id || group.id.starts_with(was_[i].id + "-")) {
                 group.id.replace(0, was_[i].id.size(), is_[i].id);
@@ -793,14 +793,14 @@ private:
         std::vector<Mark> kept;
         for (Mark& mark : figure_.marks) {
             const auto* text = std::get_if<TextMark>(&mark);
-            const bool label = text && text->cls == "label" && text->names.empty();
-            if (const auto detail = text ? headed(text->words) : std::nullopt) {
-                set_heading(kept, *text, *detail);
-            } else if (const auto circled = label ? lettered(text->words) : std::nullopt) {
-                drop_leader(kept, context_.theme.secondary);
-                ask_letter(*circled, text->statement);
-            } else {
+            const DetailOn* const detail = text != nullptr ? numbered(text->detail) : nullptr;
+            if (detail == nullptr) {
                 kept.push_back(std::move(mark));
+            } else if (text->cls == "label") {
+                drop_leader(kept, context_.theme.secondary);
+                ask_letter(*detail, text->statement);
+            } else {
+                set_heading(kept, *text, *detail);
             }
         }
         figure_.marks = std::move(kept);
@@ -815,28 +815,27 @@ private:
         figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},
                        {std::max(figure_.box.max.x, drawn.max.x), std::max(figure_.box.max.y, drawn.max.y)}};
     }
-    void set_heading(std::vector<Mark>& marks, const TextMark& text, std::size_t detail) const {
+    void set_heading(std::vector<Mark>& marks, const TextMark& text, const DetailOn& detail) const {
         const auto shaped = [&](const std::string& letter) {
-            return context_.fonts.shape(one_piece(heading_ + letter), context_.theme.label);
+            return context_.fonts.shape(one_piece(heading_of_detail(letter, context_.language)), context_.theme.label);
         };
-        const ShapedLine old = shaped(was_[detail].letter), now = shaped(is_[detail].letter);
+        const ShapedLine old = shaped(roman(detail.number)), now = shaped(detail.letter);
         const Spot at = text.glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
         set_text(marks, now, at, text.colour, text.cls);
         belong(marks, marks.size() - 1, text.statement);
     }
-    void ask_letter(std::size_t detail, StatementIndex statement) {
+    void ask_letter(const DetailOn& detail, StatementIndex statement) {
         LabelRequest& letter = letters_.emplace_back();
-        letter.text = one_piece(is_[detail].letter);
+        letter.text = one_piece(detail.letter);
         letter.size = context_.theme.label;
         letter.colour = context_.theme.text;
-        letter.anchor = is_[detail].circle;
-        letter.clearance = is_[detail].radius + 0.8;
+        letter.anchor = detail.circle;
+        letter.clearance = detail.radius + 0.8;
         letter.statement = statement;
     }
 
     Figure& figure_;
     const DrawingContext& context_;
-    std::string heading_;
     std::vector<DetailOn> was_, is_;
     std::vector<LabelRequest> letters_;
 };

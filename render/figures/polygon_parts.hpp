@@ -82,7 +82,8 @@ struct Detail {
     double radius = 0;  ///< of the circle that it shows, mm in the figure
     double scale = 1;   ///< of the detail, units per mm
     double magnification = 1;
-    std::string letter;  ///< "I", "II", …
+    std::size_t number = 0;  ///< in its figure, from 1
+    std::string letter;      ///< "I", "II", …
 };
 /// The necessary details of a figure. They do not overlap. `letters`: number of letters used on the sheet, which is
 /// increased. `magnified`: scale of the figure relative to that of the polygon.

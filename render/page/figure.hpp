@@ -36,6 +36,7 @@ struct LabelRequest {
     StatementIndex statement =
         none;  ///< the statement of the solution that draws the named object; none: present from the beginning
     std::vector<std::string> names{};       ///< see TextMark::names
+    std::size_t detail = 0;                 ///< see TextMark::detail
     std::vector<double> dashes{};           ///< line kind of the balloon, mm
     Holds holds{};                          ///< see Path::holds
     std::optional<BalloonGround> ground{};  ///< fill of the balloon; none: never filled
@@ -57,7 +58,8 @@ struct DetailOn {
     std::string id, letter;
     Spot circle;
     double radius = 0;
-    double scale = 0;  ///< in the figure's unit per mm; 0: it is not drawn
+    double scale = 0;        ///< in the figure's unit per mm; 0: it is not drawn
+    std::size_t number = 0;  ///< in its figure, from 1; letters go on from figure to figure
 };
 
 /// What the readers of a figure may do with it; the same for all figures of a kind.

@@ -85,6 +85,7 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
         text.pivot = centre;
         text.angle = nearest::atan2(place.box.axis.y, place.box.axis.x);
         text.names = request.names;
+        text.detail = request.detail;
         text.holds = request.holds;
         if (k > first) text.cls = "text";  // one aria-label per label
     }

@@ -40,6 +40,7 @@ struct TextMark {
     StatementIndex statement = none;   ///< see Path::statement
     std::vector<std::string> names{};  ///< the quantities that a label names, as in `data-name`
     Holds holds{};                     ///< see Path::holds
+    std::size_t detail = 0;            ///< the number of the detail whose letter it has; 0: none
 };
 
 /// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.
@@ -50,6 +51,7 @@ struct GroupBegin {
     std::vector<std::pair<std::string, std::string>> attributes;
     StatementIndex statement = none;  ///< see Path::statement; for everything in the group that has none of its own
     Holds holds{};                    ///< see Path::holds; for everything in the group
+    std::size_t detail = 0;           ///< the number of the detail that its title names; 0: none
 
     /// The value of an attribute; null if absent.
     const std::string* attribute(std::string_view name) const {

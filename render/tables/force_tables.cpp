@@ -458,8 +458,7 @@ std::vector<const FreeBody*> solved_by(const LoadCase& loads, StatementIndex sta
         if (about == nullptr) return true;
         if (body->body == none)
             return about->as != BodyName::As::pin || about->name != solution.mechanism.point(body->pin).name;
-        // "2+C" is the body with its pin.
-        return said.bodies != std::vector{body->body} || about->name.find('+') != std::string::npos;
+        return said.bodies != std::vector{body->body} || about->as == BodyName::As::with_pin;
     });
     return solved;
 }

@@ -171,11 +171,14 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
 enum class Named { body, several_bodies, truss, pin };
 Named named_by(const Argument& arg) {
     const auto* body = std::get_if<BodyName>(&arg);
-    if (body == nullptr) return Named::body;
-    if (body->as == BodyName::As::pin) return Named::pin;
-    if (body->as == BodyName::As::truss) return Named::truss;
-    const bool several = body->name.find(" + ") != std::string::npos || body->name.find(" … ") != std::string::npos;
-    return several ? Named::several_bodies : Named::body;
+    switch (body == nullptr ? BodyName::As::body : body->as) {
+        case BodyName::As::bodies: return Named::several_bodies;
+        case BodyName::As::truss: return Named::truss;
+        case BodyName::As::pin: return Named::pin;
+        case BodyName::As::body:
+        case BodyName::As::with_pin: break;
+    }
+    return Named::body;
 }
 /// The form of a case of the language (section cases); with a capital where the pattern writes one.
 std::string form_of_case(const Argument& arg, std::string_view grammatical_case, Language language) {

@@ -31,9 +31,7 @@ void ForceSentences::say(Key sentence, std::vector<Argument> arguments, const ch
 void ForceSentences::say_of(const Group& group, Key sentence, std::vector<Argument> arguments, const char* source) {
     std::string names;
     constexpr std::ptrdiff_t most_names = 4;
-    const auto bodies =
-        std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
-    constexpr std::size_t most_members = 8;
+    const std::ptrdiff_t bodies = bodies_in(group);
     if (bodies > most_names || group.size() > most_members)
         names = model_.member_name(group.front()) + " … " +
                 model_.member_name(bodies > most_names ? last_body_of(group) : group.back());
@@ -57,9 +55,14 @@ void ForceSentences::add(std::vector<Argument> arguments) {
     said.insert(said.end(), std::make_move_iterator(arguments.begin()), std::make_move_iterator(arguments.end()));
 }
 
+std::ptrdiff_t ForceSentences::bodies_in(const Group& group) const {
+    return std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
+}
+
 BodyName::As ForceSentences::as_what(const Group& group) const {
     if (of_truss_ && known_.is_whole(group)) return BodyName::As::truss;
-    return group.size() == 1 && model_.is_pin(group.front()) ? BodyName::As::pin : BodyName::As::body;
+    if (group.size() == 1) return model_.is_pin(group.front()) ? BodyName::As::pin : BodyName::As::body;
+    return bodies_in(group) < 2 && group.size() <= most_members ? BodyName::As::with_pin : BodyName::As::bodies;
 }
 
 Symbol ForceSentences::symbol_on(int b, const Group& group) const {

@@ -71,6 +71,8 @@ public:
 private:
     /// The last member that is a body, not a pin (pins come last).
     MemberIndex last_body_of(const Group& group) const;
+    static constexpr std::size_t most_members = 8;  ///< of a group that a sentence names one by one
+    std::ptrdiff_t bodies_in(const Group& group) const;
     BodyName::As as_what(const Group& group) const;
     std::string free_letter() const;
     void remember_meets();

@@ -87,20 +87,21 @@ void UnsupportedResultants::say_resultant(Resultant& result, const std::optional
                                           const std::optional<ScalarHandle>& couple) {
     std::string names;
     for (const BodyIndex body : result.bodies) names += (names.empty() ? "" : " + ") + mechanism_.body(body).name;
+    const BodyName about{names, result.bodies.size() > 1 ? BodyName::As::bodies : BodyName::As::body};
     Statement statement;
     statement.section = Topic::forces;
     statement.bodies = result.bodies;
-    statement.message = {lang::sentences::in_equilibrium, {BodyName{names}}};
+    statement.message = {lang::sentences::in_equilibrium, {about}};
     const Symbol resultant = resultant_symbol(true);
     if (result.residual_couple) {
         const std::string centre = constructions_.point_at({result.about.element()});
         statement.message = {lang::sentences::residual_couple,
-                             {BodyName{names}, resultant, PointName{centre}, Symbol{Symbol::Letter::M, centre, {}}}};
+                             {about, resultant, PointName{centre}, Symbol{Symbol::Letter::M, centre, {}}}};
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
     } else if (result.residual_force) {
         Symbol along = resultant;
         along.term = "t";
-        statement.message = {lang::sentences::residual_force, {BodyName{names}, resultant, along}};
+        statement.message = {lang::sentences::residual_force, {about, resultant, along}};
         statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
     } else if (force || couple) {
         statement.message.sentence = force ? lang::sentences::resultant_force : lang::sentences::resultant_couple;
