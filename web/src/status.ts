@@ -28,20 +28,22 @@ export class Status {
             [look, says] = ['good', this.solved(Math.round(inquiry.took))];
         if (status.textContent !== says) status.textContent = says;
         status.className = look;
-        const remarks = faults > 0 ? [] : [...answer.remarks, ...this.forcesWanted(answer)];
+        const remarks = faults > 0 ? [] : this.advice(answer);
         advice.replaceChildren(...remarks.slice(0, 4).map((each) => html('li', {}, each)));
         byId('advice-box').hidden = remarks.length === 0 || this.bench.model.points.length === 0;
     }
-    /** Loads without figures of forces: nothing was asked to balance them. */
-    forcesWanted({names, unsolved}: Answer) {
-        const {loads, drivers, file} = this.bench.model;
-        const isAsked = file.effort !== undefined || unsolved.length > 0 || !names || names.includes('forces');
-        return loads.length === 0 || drivers.length === 0 || isAsked ? [] : [word('forces_wanted')];
+    /** What the engine remarks; otherwise what comes next: a driver, then what balances the loads. */
+    advice(answer: Answer) {
+        const {loads, drivers, movingBodies, file} = this.bench.model, {remarks, names, unsolved} = answer;
+        if (remarks.length > 0) return remarks;
+        if (movingBodies.length > 0 && freedomsLeft(answer) > 0) return [word('drive_more')];
+        const isSettled = file.effort !== undefined || unsolved.length > 0 || !names || names.includes('forces');
+        return loads.length === 0 || drivers.length === 0 || isSettled ? [] : [word('forces_wanted')];
     }
     /** What is missing: a driver where something is free to move, otherwise what the engine could not determine. */
-    missing({mobility, counts, unsolved: [first]}: Answer) {
-        const effective = mobility?.effective ?? 0, free = effective - (counts?.drivers ?? 0);
-        return free > 0 ? `${word('freedom')}: ${word('freedom_free', effective, free)}. ${word('drive_more')}` :
+    missing(answer: Answer) {
+        const {mobility, unsolved: [first]} = answer, free = freedomsLeft(answer);
+        return free > 0 ? `${word('freedom')}: ${word('freedom_free', mobility?.effective ?? 0, free)}` :
             `${word('not_determined')} ${first.what}: ${first.why}`;
     }
     solved(milliseconds: number) {
@@ -82,6 +84,8 @@ function greatestDifference(results: string) {
     );
 }
 
+/** The freedoms that no driver takes. */
+const freedomsLeft = ({mobility, counts}: Answer) => (mobility?.effective ?? 0) - (counts?.drivers ?? 0);
 /** What is wrong. A remedy is said in terms of the file, and so where the file is shown. */
 const wrong = ({text, fault, remedy}: Fault) =>
     fault && remedy ? `${fault}. ${word('remedy_in_file')}` : text;
