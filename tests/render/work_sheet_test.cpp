@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <type_traits>
 
 #include "engine/solution/displacements.hpp"
+#include "engine/solution/result_values.hpp"
 #include "render/figures/figure.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/support/pages.hpp"
@@ -77,6 +79,22 @@ TEST_P(ApartSheet, HasNothingCutOrCovered) {
 }
 INSTANTIATE_TEST_SUITE_P(Examples, ApartSheet, testing::Values("moving_frame", "slider_on_moving_guide", "scara"),
                          [](const auto& each) { return std::string(each.param); });
+
+TEST(TerminalTable, HasEveryPartOfARelativeMotion) {
+    const Solution& solution = tests::example("moving_frame");
+    const std::string table = results_table(solution, Language::en);
+    std::size_t parts = 0;
+    for_each_sought(solution, [&](const Quantity& quantity, const auto& found) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(found)>, Recorded<Vector>>) {
+            if (!found || quantity.part == Quantity::Part::whole) return;
+            const Unit unit = unit_of(unit_kind_of(quantity, solution.mechanism), solution.mechanism.units);
+            const double length = kinegraph::length(*found) / unit.si.to_double();
+            EXPECT_NE(table.find(number(length, 6, Language::en)), std::string::npos) << length << unit.symbol;
+            ++parts;
+        }
+    });
+    EXPECT_GE(parts, 5U);
+}
 
 TEST(QuestionOfEquations, ShowsTheLoopsThatGiveTheLetters) {
     auto mechanism = read_mechanism(tests::contents(tests::example_file("four_bar")), "four_bar.json");
