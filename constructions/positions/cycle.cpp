@@ -227,7 +227,7 @@ public:
     Positions& positions() { return positions_; }
     const std::vector<Column>& columns() const { return columns_; }
     int plans() const { return planned_; }
-    bool is_spent() const { return spent_ > most_planned_bits; }
+    bool is_spent() const { return all_planned_ > always_planned && spent_ > most_planned_bits; }
 
 private:
     /// Sets values_ to the row at this position; false if the mechanism gives no unique answer.
@@ -363,6 +363,7 @@ private:
     // --- by record
     std::optional<Solution> planned_here() {
         ++planned_;
+        ++all_planned_;
         auto repositioned = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
         if (!repositioned) return std::nullopt;
         Repositioned& moved = *repositioned;
@@ -487,6 +488,7 @@ private:
     ExpressionColumns expressions_;
     KeptRecords records_;
     int planned_ = 0;
+    int all_planned_ = 0;    ///< those whose records were put back, too
     std::size_t spent_ = 0;  ///< bits of all numbers of the positions that were planned
     RowCheck check_;
 };

@@ -51,8 +51,10 @@ struct FlankChange {
     double at = 0;
 };
 
-/// Bits of all numbers of the positions that one cycle plans exactly; each takes 2 to 7 ns. Positions are planned where
-/// doubles do not tell a quantity from zero, so a cycle whose quantities differ by 10^12 plans all of them.
+/// What one cycle may plan exactly: so many positions, or more as long as their numbers have so many bits together,
+/// each of which takes 2 to 7 ns. Positions are planned where doubles do not tell a quantity from zero, so a cycle
+/// whose quantities differ by 10^12 plans all of them.
+constexpr int always_planned = 100;
 constexpr std::size_t most_planned_bits = 250'000'000;
 
 class Cycle {
