@@ -449,7 +449,8 @@ public:
           meets_(shown_meets(sketch.subject.solution, body)),
           lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3), load_) {}
 
-    void draw() {
+    /// Whether a force is shorter than its arrow's head, so that its arrow is thin and says the value.
+    bool draw() {
         if (body_.body != none)
             draw_alone(sketch_, body_.body);
         else
@@ -489,6 +490,7 @@ public:
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
         for (const AppliedForce& applied : body_.forces) draw_pressure_angle(sketch_, applied);
+        return !thin_.empty();
     }
 
 private:
@@ -620,13 +622,15 @@ private:
                    colour_.line);
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
-        if (!to_scale && scale_.says_values)
+        // A force that is drawn again where a couple moves it has its value once.
+        const bool says_value = !to_scale && thin_.insert(name_of(applied.symbol)).second && scale_.says_values;
+        if (says_value)
             append(text, with_powers(" = " + number(value, 4, sketch_.context.language) + " " + unit_.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
         label.size = theme.equation;
         label.toward = arrow.to;
         label.holds = on_force(to_scale ? Form::arrow : Form::with, held);
-        if (!to_scale && scale_.says_values) label.holds.unit = unit_.si.to_double();
+        if (says_value) label.holds.unit = unit_.si.to_double();
     }
 
     /// Two forces on one line; with a couple on two parallel lines, whose distance is the arm.
@@ -715,6 +719,7 @@ private:
     std::vector<Bar> standing_;  // the arrows drawn
     std::vector<Bar> arms_;
     std::set<std::string> names_;
+    std::set<std::string> thin_;  // forces of which an arrow is not to scale
     std::set<JointIndex> joints_remarked_;
 };
 
@@ -903,6 +908,8 @@ namespace {
 /// for them, and the places of its forces would become one. Only where these would lie farther apart is it smaller.
 constexpr double least_of_free_body = 12, farthest_forces = 100;
 
+constexpr double least_of_longest = 12;  // mm, of the longest force on a free body that needs the room
+
 double across(const Box& box) { return nearest::hypot(box.width(), box.height()); }
 
 /// The coarsest scale of the series at which a free body is drawn, m per mm.
@@ -923,6 +930,15 @@ double longest_force(const FreeBody& body) {
 double scale_within(const Box& box, Spot room) {
     return choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9), std::max(room.x, 10.0),
                         std::max(room.y, 10.0), std::nullopt);
+}
+
+/// Says in the caption that thin arrows are not to scale, where that takes no further line: they have their values.
+void say_thin(Figure& figure, const DrawingContext& context, double room) {
+    constexpr int two_digits = 10;
+    const std::string before = figure.further_scale;
+    figure.further_scale +=
+        (before.empty() ? "" : ";  ") + word(lang::sheet::thin_arrows_not_to_scale, context.language);
+    if (caption_width(context, figure, two_digits) > room) figure.further_scale = before;
 }
 
 /// With its points of application and near points of concurrency, m.
@@ -979,18 +995,18 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                     .least_shown = has_length ? (1 - 1e-9) * across(extent.own) / coarsest : 0},
                    [&](const Trial& trial) {
                        Sketch sketch(subject, context, trial.scale, blank.id + "-");
-                       FreeBodyDrawing(sketch, loads, body, forces).draw();
+                       const bool thin = FreeBodyDrawing(sketch, loads, body, forces).draw();
                        Figure figure = sketch.finish(blank, unit.symbol);
                        figure.scale = forces.per_millimetre;
                        if (has_length) figure.further_scale = ratio_words(figure.places, context.language);
                        figure.caption = caption_of(context, body, name, load);
+                       if (thin && forces.says_values) say_thin(figure, context, room_x);
                        sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit, trial.last);
                        return figure;
                    });
     };
     Figure figure = drawn();
     // Where the body has no room beside its forces, these become shorter, not the body.
-    constexpr double least_of_longest = 12;  // mm
     while (has_length && !kept && (figure.box.width() > room_x || figure.box.height() > room_y) &&
            longest / si / next_scale(forces.per_millimetre) >= least_of_longest) {
         forces.per_millimetre = next_scale(forces.per_millimetre);

@@ -10,6 +10,8 @@
 
 #include "lang/keys/common.hpp"
 #include "lang/keys/sentences.hpp"
+#include "lang/keys/sheet.hpp"
+#include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/sheet.hpp"
@@ -161,6 +163,21 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
                 return group && (group->cls == "vector" || group->cls == "sense");
             });
             EXPECT_EQ(static_cast<std::size_t>(shown), forces) << "every force is in place";
+            const bool thin = std::any_of(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+                const auto* group = std::get_if<GroupBegin>(&mark);
+                return group && group->cls == "sense";
+            });
+            const std::string says_so = word(lang::sheet::thin_arrows_not_to_scale, language);
+            const bool said = figure.further_scale.find(says_so) != std::string::npos;
+            Figure told = figure;
+            if (!said) told.further_scale += ";  " + says_so;
+            constexpr int two_digits = 10;
+            EXPECT_EQ(said, thin && caption_width(context, told, two_digits) <= 120) << figure.id;
+            std::set<std::string> values;
+            for (const Ink& ink : labels_of(figure.marks)) {
+                const bool has_value = ink.words.find(" = ") != std::string::npos;
+                EXPECT_TRUE(!has_value || values.insert(ink.words).second) << ink.words << " twice on " << figure.id;
+            }
         }
     }
 }
