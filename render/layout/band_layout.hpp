@@ -26,7 +26,7 @@ struct Width {
 
 /// The price of white in one piece, a part of the page. It is quadratic, because one large area is what is seen. A
 /// fifth of the page costs a little less than a step of a scale that can be read anyway.
-constexpr double price_of_white(double part) { return 14 * part * part; }
+constexpr double price_of_white(double part) { return 8 * part * part; }
 
 /// The part of a space that the title block covers: its lower right corner.
 struct Notch {

@@ -237,9 +237,12 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
-        const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
-        const double up = std::min(0.5 * spare, most_below_caption);
-        movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
+        // The first figure stands where a question has it.
+        if (drawn.number > 1) {
+            const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
+            const double up = std::min(0.5 * spare, most_below_caption);
+            movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
+        }
         if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
             scale_of_mechanism = drawn.figure.scale;
         if (stacked) down += drawn.height() + spare + gap;

@@ -88,13 +88,13 @@ std::vector<Spot> moves_of(const MovableFigure& figure) {
 
 }  // namespace
 
-void spread(std::vector<Mark>& marks, const std::vector<MovableFigure>& figures, const Box& content, const Box& block) {
+void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content, const Box& block) {
     Raster page(content);
     page.cover(block);
     page.add(covered(marks), {}, 1);
     double white = page.largest_empty();
     for (int round = 0; round < rounds && white > noticed; ++round)
-        for (const MovableFigure& figure : figures) {
+        for (MovableFigure& figure : figures) {
             const std::vector<Spot> moves = moves_of(figure);
             if (moves.size() == 1) continue;
             const std::span<Mark> own = std::span(marks).subspan(figure.first, figure.end - figure.first);
@@ -107,6 +107,7 @@ void spread(std::vector<Mark>& marks, const std::vector<MovableFigure>& figures,
                 page.add(spots, by, -1);
             }
             move(own, best.x, best.y);
+            figure.left += best.x, figure.right -= best.x, figure.up += best.y, figure.down -= best.y;
             page.add(spots, best, 1);
         }
 }

@@ -245,7 +245,7 @@ TEST(ForceExamples, HaveTheirClosedForms) {
     const Statics lever(example("three_parallel_forces"));
     EXPECT_EQ(lever.effort(), Exact(240));
     EXPECT_EQ(lever.force("O: 1 on 2"), (Vector{0, 840}));
-    EXPECT_EQ(lever.order(), (Lines{"parallel 2 F_Q F_12"}));
+    EXPECT_EQ(lever.order(), (Lines{"parallel 2 F_Q F_12 F_P"}));
 
     const Statics plate(example("four_force_body"));
     EXPECT_EQ(plate.force("A: 3 on 2"), (Vector{0, Exact::ratio(6225, 14)}));
