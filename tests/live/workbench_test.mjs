@@ -483,6 +483,7 @@ test('a disc slides on a bar that is clicked, a profile is changed in the panel,
     assert.equal(await bar(), 'rgb(122, 31, 162)');
     assert.deepEqual((await run('workbench.answer')).faults, []);
     await page.locator('#colour-of-theme').click();
+    await settled();
     assert.deepEqual((await file()).bodies[2], [a, b]);
     assert.notEqual(await bar(), 'rgb(122, 31, 162)');
     await page.keyboard.press('Control+z');
@@ -931,6 +932,7 @@ test('an example is chosen by its picture; what is shown is taken away as SVG, P
     await page.locator('#examples').click();
     await page.locator('#gallery-search').fill('whitworth');
     const card = page.locator('.card:visible');
+    await card.first().waitFor();  // the examples are fetched first
     assert.equal(await card.count(), 1);
     await card.locator('img').waitFor();
     await card.click();
