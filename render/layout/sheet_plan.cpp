@@ -238,21 +238,16 @@ bool SheetPlan::finds_pages() {
         return !now_.pages.empty();
     }
     std::optional<double> best;
-    std::size_t fewest = 0;
-    double most = BandLayout::impossible;
+    Planned plan;
     for (const double scale : scales) {
         force_scale_ = scale;
         plan_all();
-        if (now_.pages.empty() || (best && now_.pages.size() > fewest)) continue;
-        if (best && now_.pages.size() == fewest && !(now_.score > most)) continue;
+        if (now_.pages.empty() || (best && now_.pages.size() > plan.pages.size())) continue;
+        if (best && now_.pages.size() == plan.pages.size() && !(now_.score > plan.score)) continue;
         best = scale;
-        fewest = now_.pages.size();
-        most = now_.score;
+        plan = Planned(now_);
     }
-    if (best && force_scale_ != best) {
-        force_scale_ = best;
-        plan_all();
-    }
+    if (best) force_scale_ = best, now_ = std::move(plan);
     return best.has_value();
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <span>
+#include <utility>
 
 #include "engine/number/index.hpp"
 #include "render/page/free_room.hpp"
@@ -13,12 +15,17 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double cell = 2.5;              // mm
-constexpr int least_side = 10;            // cells; narrower white separates, and is not seen as empty
-constexpr double noticed = 0.08;          // of the content: smaller white needs no change
+constexpr double cell = 3;                // mm
+constexpr int least_side = 8;             // cells; narrower white separates, and is not seen as empty
+constexpr double noticed = 0.1;           // of the content: smaller white needs no change
 constexpr double clearly_smaller = 0.95;  // of the white before
 constexpr double most_below = 30;         // mm, than where it stands: a figure stays near its caption
 constexpr int rounds = 2;
+
+struct Cell {
+    int x = 0, y = 0;
+    auto operator<=>(const Cell&) const = default;
+};
 
 class Raster {
 public:
@@ -26,35 +33,48 @@ public:
         : origin_(content.min),
           columns_(static_cast<int>(content.width() / cell)),
           rows_(static_cast<int>(content.height() / cell)),
-          covers_(at_index(columns_) * at_index(rows_)) {}
+          covers_(at_index(columns_) * at_index(rows_)),
+          heights_(at_index(columns_)) {}
 
-    void add(const std::vector<Spot>& spots, Spot moved, int count) {
-        for (const Spot& spot : spots) {
-            const Spot at = (1 / cell) * (spot + moved - origin_);
-            if (at.x < 0 || at.y < 0 || at.x >= columns_ || at.y >= rows_) continue;
-            covers_[at_index(static_cast<int>(at.y)) * at_index(columns_) + at_index(static_cast<int>(at.x))] += count;
+    /// The cells that marks cover, each once, in order.
+    std::vector<Cell> cells_of(std::span<const Mark> marks) const {
+        std::vector<Cell> cells;
+        for (const Spot& spot : covered(marks))
+            if (const Cell at = cell_of(spot); cells.empty() || cells.back() != at) cells.push_back(at);
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        return cells;
+    }
+    std::vector<Cell> cells_of(const Box& box) const {
+        std::vector<Cell> cells;
+        const Cell first = cell_of(box.min), last = cell_of(box.max);
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) cells.push_back({x, y});
+        return cells;
+    }
+    void add(const std::vector<Cell>& cells, Cell moved, int count) {
+        for (const Cell& each : cells) {
+            const int x = each.x + moved.x, y = each.y + moved.y;
+            if (x >= 0 && y >= 0 && x < columns_ && y < rows_)
+                covers_[at_index(y) * at_index(columns_) + at_index(x)] += count;
         }
     }
-    void cover(const Box& box) {
-        std::vector<Spot> spots;
-        for (double y = box.min.y; y < box.max.y; y += cell)
-            for (double x = box.min.x; x < box.max.x; x += cell) spots.push_back({x, y});
-        add(spots, {}, 1);
-    }
-    /// The area of the largest empty rectangle, as a fraction of all.
-    double largest_empty() const {
+    /// The area of the largest empty rectangle, as a fraction of all; `enough`, if it is not smaller than that.
+    double largest_empty(double enough) {
         struct Step {
             int from, height;
         };
-        std::vector<int> heights(at_index(columns_));
+        const double all = static_cast<double>(covers_.size());
+        std::fill(heights_.begin(), heights_.end(), 0);
         std::vector<Step> steps;
         int largest = 0;
         for (int y = 0; y < rows_; ++y) {
+            const int* const covers = &covers_[at_index(y) * at_index(columns_)];
             for (int x = 0; x <= columns_; ++x) {
                 int height = 0, from = x;
                 if (x < columns_) {
-                    int& own = heights[at_index(x)];
-                    height = own = covers_[at_index(y) * at_index(columns_) + at_index(x)] > 0 ? 0 : own + 1;
+                    int& own = heights_[at_index(x)];
+                    height = own = covers[x] > 0 ? 0 : own + 1;
                 }
                 for (; !steps.empty() && steps.back().height >= height; steps.pop_back()) {
                     from = steps.back().from;
@@ -64,25 +84,31 @@ public:
                 steps.push_back({from, height});
             }
             steps.clear();
+            if (largest >= enough * all) return enough;
         }
-        return static_cast<double>(largest) / static_cast<double>(covers_.size());
+        return largest / all;
     }
 
 private:
+    Cell cell_of(Spot spot) const {
+        return {static_cast<int>(std::floor((spot.x - origin_.x) / cell)),
+                static_cast<int>(std::floor((spot.y - origin_.y) / cell))};
+    }
+
     Spot origin_;
     int columns_, rows_;
-    std::vector<int> covers_;  // number of spots in each cell
+    std::vector<int> covers_;   // number of figures, or of what stands, in each cell
+    std::vector<int> heights_;  // of the empty cells above a row
 };
 
-/// Where a figure may go, from where it stands; its own place comes first.
-std::vector<Spot> moves_of(const MovableFigure& figure) {
+/// Where a figure may go, in whole cells from where it stands.
+std::vector<Cell> moves_of(const MovableFigure& figure) {
+    const auto cells = [](double length) { return static_cast<int>(length / cell); };
     const double below = std::min(figure.down, most_below);
-    const double across[] = {0, -0.5 * figure.left, 0.5 * figure.right, -figure.left, figure.right};
-    const double down[] = {0, -0.5 * figure.up, 0.5 * below, -figure.up, below};
-    std::vector<Spot> moves{{0, 0}};
-    for (const double y : down)
-        for (const double x : across)
-            if (std::abs(x) >= cell || std::abs(y) >= cell) moves.push_back({x, y});
+    std::vector<Cell> moves;
+    for (const double y : {0.0, -0.5 * figure.up, 0.5 * below, -figure.up, below})
+        for (const double x : {0.0, -0.5 * figure.left, 0.5 * figure.right, -figure.left, figure.right})
+            if (const Cell by{cells(x), cells(y)}; by != Cell{}) moves.push_back(by);
     return moves;
 }
 
@@ -90,25 +116,37 @@ std::vector<Spot> moves_of(const MovableFigure& figure) {
 
 void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content, const Box& block) {
     Raster page(content);
-    page.cover(block);
-    page.add(covered(marks), {}, 1);
-    double white = page.largest_empty();
+    page.add(page.cells_of(block), {}, 1);
+    std::vector<std::vector<Cell>> cells;
+    std::size_t next = 0;
+    const auto add = [&](std::size_t first, std::size_t end) {
+        std::vector<Cell> own = page.cells_of(std::span(std::as_const(marks)).subspan(first, end - first));
+        page.add(own, {}, 1);
+        next = end;
+        return own;
+    };
+    for (const MovableFigure& figure : figures) {
+        add(next, figure.first);
+        cells.push_back(add(figure.first, figure.end));
+    }
+    add(next, marks.size());
+    double white = page.largest_empty(1);
     for (int round = 0; round < rounds && white > noticed; ++round)
-        for (MovableFigure& figure : figures) {
-            const std::vector<Spot> moves = moves_of(figure);
-            if (moves.size() == 1) continue;
-            const std::span<Mark> own = std::span(marks).subspan(figure.first, figure.end - figure.first);
-            const std::vector<Spot> spots = covered({own.begin(), own.end()});
-            page.add(spots, {}, -1);
-            Spot best{};
-            for (const Spot& by : moves) {
-                page.add(spots, by, 1);
-                if (const double left = page.largest_empty(); left < clearly_smaller * white) white = left, best = by;
-                page.add(spots, by, -1);
+        for (std::size_t f = 0; f < figures.size(); ++f) {
+            MovableFigure& figure = figures[f];
+            page.add(cells[f], {}, -1);
+            Cell best;
+            for (const Cell& by : moves_of(figure)) {
+                const double enough = clearly_smaller * white;
+                page.add(cells[f], by, 1);
+                if (const double left = page.largest_empty(enough); left < enough) white = left, best = by;
+                page.add(cells[f], by, -1);
             }
-            move(own, best.x, best.y);
-            figure.left += best.x, figure.right -= best.x, figure.up += best.y, figure.down -= best.y;
-            page.add(spots, best, 1);
+            for (Cell& each : cells[f]) each = {each.x + best.x, each.y + best.y};
+            page.add(cells[f], {}, 1);
+            const double x = best.x * cell, y = best.y * cell;
+            move(std::span(marks).subspan(figure.first, figure.end - figure.first), x, y);
+            figure.left += x, figure.right -= x, figure.up += y, figure.down -= y;
         }
 }
 

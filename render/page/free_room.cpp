@@ -82,7 +82,7 @@ int pieces_of(double length, int least) {
 
 /// Calls see() with the spots that marks cover.
 template <class See>
-void look_over(const std::vector<Mark>& marks, See see) {
+void look_over(std::span<const Mark> marks, See see) {
     const auto fill = [&](const Box& box) {
         const int rows = pieces_of(box.height(), 0), columns = pieces_of(box.width(), 0);
         const double down = std::max(0.9, box.height() / std::max(rows, 1));
@@ -133,7 +133,7 @@ void look_over(const std::vector<Mark>& marks, See see) {
 
 }  // namespace
 
-std::vector<Spot> covered(const std::vector<Mark>& marks) {
+std::vector<Spot> covered(std::span<const Mark> marks) {
     std::vector<Spot> spots;
     look_over(marks, [&](Spot spot) { spots.push_back(spot); });
     return spots;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/page/page.hpp"
@@ -35,7 +36,7 @@ private:
 };
 
 /// Spots that the marks cover, about one per millimetre; text and filled areas count as their boxes.
-std::vector<Spot> covered(const std::vector<Mark>& marks);
+std::vector<Spot> covered(std::span<const Mark> marks);
 
 /// The upper left corner at which a block of that size stands clear of the marks within a box: along the lower edge as
 /// far left as possible, else along the upper edge. Empty if neither has room.
