@@ -371,7 +371,7 @@ Message InstantCentres::told_from_velocities(Pair& entry, Drawing found, const T
         return {lang::sentences::centre_from_omega,
                 {centre, PointName{structure_.node(point).label}, velocity, omega_of(j)}};
     }
-    const Message by_normals{lang::sentences::centre_from_velocities, {centre, PointName{}, PointName{}}};
+    Message by_normals{lang::sentences::centre_from_velocities, {centre, PointName{}, PointName{}}};
     const auto &own_i = pair(frame, i).point, &own_j = pair(frame, j).point;
     if (!own_i || !own_j) return by_normals;
     for (const auto& [still, turning] : {std::pair(i, j), std::pair(j, i)}) {
