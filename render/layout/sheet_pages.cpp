@@ -149,6 +149,7 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
     std::vector<Mark> marks;
     names_on_page_.clear();
     movable_.clear();
+    figures_on_page_.clear();
     std::vector<StandingRow> rows;
     for (const PlannedRow& row : contents_.plan.pages()[page]) {
         StandingRow& cells = rows.emplace_back();
@@ -178,7 +179,8 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
         }
         y += height + row_gap;
     }
-    spread(marks, movable_, content, page == 0 ? format_.block : Box{});
+    const std::vector<Spot> moved = spread(marks, movable_, content, page == 0 ? format_.block : Box{});
+    for (std::size_t f = 0; f < moved.size(); ++f) figures_on_page_[f]->move(moved[f].x, moved[f].y);
     return marks;
 }
 
@@ -237,12 +239,10 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
-        // The first figure stands where a question has it.
-        if (drawn.number > 1) {
-            const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
-            const double up = std::min(0.5 * spare, most_below_caption);
-            movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
-        }
+        const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
+        const double up = std::min(0.5 * spare, most_below_caption);
+        movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
+        figures_on_page_.push_back(&drawn.figure);
         if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
             scale_of_mechanism = drawn.figure.scale;
         if (stacked) down += drawn.height() + spare + gap;

@@ -82,6 +82,7 @@ private:
     const Signature& signature_;
     SheetContents contents_;
     std::set<std::string> names_on_page_;
+    std::vector<Figure*> figures_on_page_;
     std::vector<MovableFigure> movable_;  // those on the page, with their marks
     Spot first_caption_{};
     double first_caption_width_ = 0;

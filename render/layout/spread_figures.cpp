@@ -114,7 +114,8 @@ std::vector<Cell> moves_of(const MovableFigure& figure) {
 
 }  // namespace
 
-void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content, const Box& block) {
+std::vector<Spot> spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content,
+                         const Box& block) {
     Raster page(content);
     page.add(page.cells_of(block), {}, 1);
     std::vector<std::vector<Cell>> cells;
@@ -130,6 +131,7 @@ void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const 
         cells.push_back(add(figure.first, figure.end));
     }
     add(next, marks.size());
+    std::vector<Spot> moved(figures.size());
     double white = page.largest_empty(1);
     for (int round = 0; round < rounds && white > noticed; ++round)
         for (std::size_t f = 0; f < figures.size(); ++f) {
@@ -147,7 +149,9 @@ void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const 
             const double x = best.x * cell, y = best.y * cell;
             move(std::span(marks).subspan(figure.first, figure.end - figure.first), x, y);
             figure.left += x, figure.right -= x, figure.up += y, figure.down -= y;
+            moved[f] = moved[f] + Spot{x, y};
         }
+    return moved;
 }
 
 }  // namespace kinegraph::render

@@ -15,7 +15,9 @@ struct MovableFigure {
 };
 
 /// Moves figures where the largest empty rectangle of the page becomes clearly smaller; nothing else moves. `content`:
-/// the area for bands; `block`: what stands in it besides the marks, such as the title block.
-void spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content, const Box& block);
+/// the area for bands; `block`: what stands in it besides the marks, such as the title block. Returns by how much each
+/// figure has moved, mm.
+std::vector<Spot> spread(std::vector<Mark>& marks, std::vector<MovableFigure> figures, const Box& content,
+                         const Box& block);
 
 }  // namespace kinegraph::render
