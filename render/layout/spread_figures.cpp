@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <span>
 #include <utility>
 
@@ -24,7 +23,7 @@ constexpr int rounds = 2;
 
 struct Cell {
     int x = 0, y = 0;
-    auto operator<=>(const Cell&) const = default;
+    bool operator==(const Cell&) const = default;
 };
 
 class Raster {
@@ -36,12 +35,13 @@ public:
           covers_(at_index(columns_) * at_index(rows_)),
           heights_(at_index(columns_)) {}
 
-    /// The cells that marks cover, each once, in order.
+    /// The cells that marks cover, each once.
     std::vector<Cell> cells_of(std::span<const Mark> marks) const {
         std::vector<Cell> cells;
         for (const Spot& spot : covered(marks))
             if (const Cell at = cell_of(spot); cells.empty() || cells.back() != at) cells.push_back(at);
-        std::sort(cells.begin(), cells.end());
+        std::sort(cells.begin(), cells.end(),
+                  [](Cell one, Cell other) { return std::pair(one.y, one.x) < std::pair(other.y, other.x); });
         cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
         return cells;
     }
