@@ -1,7 +1,6 @@
 // Expressions of a law of motion, such as "v0*cos(alpha)*t", as a tree. Owns parsing with units, dimension checks,
-// evaluation with an error bound, and forward-mode automatic differentiation (used by the check only). For exact
-// symbolic derivatives see derivative(). The grammar: engine/file/formula_syntax.hpp. Independent of JSON
-// and of motion.
+// evaluation with an error bound, forward-mode automatic differentiation (used by the check only) and exact symbolic
+// derivatives. The grammar: engine/file/formula_syntax.hpp. Independent of JSON and of motion.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "engine/file/spelling.hpp"
 
 #include <charconv>
+
 #include "engine/number/assert.hpp"
 #include "lang/keys/common.hpp"
 #include "lang/keys/files.hpp"

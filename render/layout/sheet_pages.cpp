@@ -220,7 +220,7 @@ double SheetPages::spare_above_text(const Standing& band, double most, double lo
 /// Each figure stands in the middle between its caption and the end of its part of `height`, but near its caption.
 void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
                              std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height) {
-    constexpr double most_below_caption = 30;
+    constexpr double most_below_caption = 30, most_when_spread = 40;
     double own = -gap;
     for (const DrawnFigure& drawn : figures) own = stacked ? own + gap + drawn.height() : drawn.height();
     const double shared = (height - own) / static_cast<double>(figures.size());
@@ -241,7 +241,7 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
         const double aside = std::max(0.5 * (drawn.room.width() - box.width()), 0.0);
         const double up = std::min(0.5 * spare, most_below_caption);
-        movable_.push_back({first, marks.size(), aside, aside, up, spare - up});
+        movable_.push_back({first, marks.size(), aside, aside, up, std::min(spare, most_when_spread) - up});
         figures_on_page_.push_back(&drawn.figure);
         if (drawn.figure.traits.measured == QuantityKind::length && !scale_of_mechanism)
             scale_of_mechanism = drawn.figure.scale;

@@ -18,7 +18,6 @@ constexpr double cell = 3;                // mm
 constexpr int least_side = 8;             // cells; narrower white separates, and is not seen as empty
 constexpr double noticed = 0.1;           // of the content: smaller white needs no change
 constexpr double clearly_smaller = 0.95;  // of the white before
-constexpr double most_below = 30;         // mm, than where it stands: a figure stays near its caption
 constexpr int rounds = 2;
 
 struct Cell {
@@ -104,9 +103,8 @@ private:
 /// Where a figure may go, in whole cells from where it stands.
 std::vector<Cell> moves_of(const MovableFigure& figure) {
     const auto cells = [](double length) { return static_cast<int>(length / cell); };
-    const double below = std::min(figure.down, most_below);
     std::vector<Cell> moves;
-    for (const double y : {0.0, -0.5 * figure.up, 0.5 * below, -figure.up, below})
+    for (const double y : {0.0, -0.5 * figure.up, 0.5 * figure.down, -figure.up, figure.down})
         for (const double x : {0.0, -0.5 * figure.left, 0.5 * figure.right, -figure.left, figure.right})
             if (const Cell by{cells(x), cells(y)}; by != Cell{}) moves.push_back(by);
     return moves;

@@ -27,17 +27,24 @@ TEST_F(SpreadFigures, AFigureMovesTowardsTheMiddleOfItsWhite) {
     EXPECT_GT(figure().min.x, before.min.x + 10);
 }
 
+// However often it moves: rooms of many sizes, in which it moves once or several times.
 TEST_F(SpreadFigures, ItStaysInItsRoom) {
-    const Box before = figure();
-    for (const MovableFigure room : {MovableFigure{0, 1, 0, 20, 0, 5}, MovableFigure{0, 1, 0, 120, 0, 0}}) {
-        std::vector<Mark> own = marks;
-        spread(own, {room}, content, {});
-        const Box after = box_of(std::span(own).first(1));
-        EXPECT_GE(after.min.x, before.min.x);
-        EXPECT_LE(after.max.x, before.max.x + room.right);
-        EXPECT_GE(after.min.y, before.min.y);
-        EXPECT_LE(after.max.y, before.max.y + room.down);
-    }
+    int moved = 0;
+    for (double right = 0; right <= 120; right += 10)
+        for (double down = 0; down <= 120; down += 10) {
+            std::vector<Mark> own = marks;
+            const Box before = figure();
+            const std::vector<Spot> by = spread(own, {{0, 1, 0, right, 0, down}}, content, {});
+            const Box after = box_of(std::span(own).first(1));
+            EXPECT_GE(after.min.x, before.min.x);
+            EXPECT_LE(after.max.x, before.max.x + right);
+            EXPECT_GE(after.min.y, before.min.y);
+            EXPECT_LE(after.max.y, before.max.y + down);
+            EXPECT_NEAR(after.min.x - before.min.x, by.at(0).x, 1e-9);
+            EXPECT_NEAR(after.min.y - before.min.y, by.at(0).y, 1e-9);
+            moved += length(by.at(0)) > 0 ? 1 : 0;
+        }
+    EXPECT_GT(moved, 20) << "the test shows what it says";
 }
 
 TEST_F(SpreadFigures, NothingElseMoves) {
