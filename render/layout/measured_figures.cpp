@@ -103,8 +103,7 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
 
 /// The scales to which a figure may grow, the finest first.
 std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double scale) const {
-    constexpr double larger = 1.2;
-    if (wanted.fills) return {scale / larger_body, scale / larger};
+    if (wanted.fills) return {scale / larger_body};
     const double finest = finer_scale(scale);
     if (row_of(wanted.id.kind).traits.measured == QuantityKind::length) return {finest};
     return scales_between(finest, scale);
@@ -218,7 +217,7 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wan
 
 /// Rooms of several sizes, in the shape of the figure.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted, Range range) const {
-    constexpr double parts[] = {larger_body, 1, 0.7, 0.5, 0.35};
+    constexpr double parts[] = {larger_body, 1, 0.7, 0.5};
     std::vector<Measure> all;
     for (const double part : parts) {
         if (part > 1 && (range != Range::up_to_page || wanted.spare)) continue;
