@@ -18,6 +18,7 @@ struct FigureSize {
     double caption = 0;       ///< the part of y that its caption takes
     double wider = 0;         ///< additional width for equations in a corner
     std::size_t drawing = 0;  ///< index of the drawing among those of the figure
+    bool estimated = false;   ///< not drawn yet: the space that its strokes need at least
     bool operator==(const FigureSize&) const = default;
 };
 

@@ -35,15 +35,18 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     const Wanted& wanted = wanted_.list[figure];
     if (!wanted.to_force_scale) force_scale.reset();
     const auto [found, fresh] = sizes_.try_emplace({figure, force_scale.value_or(0), range});
-    std::vector<FigureSize>& sizes = found->second;
-    if (!fresh) return sizes;
+    Sizes& known = found->second;
+    std::vector<FigureSize>& sizes = known.list;
+    if (!fresh && known.drawings == times_drawn_[figure]) return sizes;
+    sizes.clear();
     for (const Measure& each : measures(wanted, force_scale, range)) {
-        measure(sizes, figure, each, range);
-        if (sizes.empty()) continue;
         // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
-        const Box& box = drawings_[figure][sizes.back().drawing].figure.box;
         const bool asked = each.wish.asked.has_value() && !wanted.spare;
-        if (asked && range != Range::crowded && box.width() <= page().x && box.height() <= page().y) break;
+        if (asked) drawn(figure, each);
+        measure(sizes, figure, each, range);
+        if (sizes.empty() || !asked) continue;
+        const Box& box = drawing(figure, sizes.back()).box;
+        if (range != Range::crowded && box.width() <= page().x && box.height() <= page().y) break;
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
@@ -52,7 +55,33 @@ const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::o
     if (range == Range::crowded)
         for (FigureSize& size : sizes) size.y = std::min(size.y, most);
     if (wanted.spare) sizes.push_back({});
+    known.drawings = times_drawn_[figure];
     return sizes;
+}
+
+const std::vector<FigureSize>& MeasuredFigures::drawn_sizes(std::size_t figure, std::optional<double> force_scale,
+                                                            Range range) {
+    for (;;) {
+        const std::vector<FigureSize>& all = sizes(figure, force_scale, range);
+        bool any = false;
+        for (const FigureSize& size : std::vector(all)) any = draws(figure, size) || any;
+        if (!any) return all;
+    }
+}
+
+bool MeasuredFigures::draws(std::size_t figure, const FigureSize& size) {
+    if (!size.estimated) return false;
+    Drawing& drawing = drawings_[figure][size.drawing];
+    if (drawing.figure) return false;
+    drawing.figure = wanted_.draw(figure, drawing.room, drawing.wish);
+    ++times_drawn_[figure];
+    return true;
+}
+
+bool MeasuredFigures::has_more_sizes(std::size_t figure, std::optional<double> force_scale, Range range) const {
+    const Wanted& wanted = wanted_.list[figure];
+    if (!wanted.to_force_scale) force_scale.reset();
+    return measures(wanted, force_scale, range).size() != measures(wanted, force_scale, Range::usual).size();
 }
 
 bool MeasuredFigures::may_grow(std::size_t figure) const {
@@ -92,9 +121,9 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
         const Measure measure =
             wanted.fills ? filling_at(wanted, scale) : Measure{scale, most, {.finest = scale, .exactly = true}};
         const std::size_t drawing = drawn(figure, measure);
-        const Figure& made = drawings_[figure][drawing].figure;
+        const Figure& made = *drawings_[figure][drawing].figure;
         if (made.scale == any_scale || made.box.width() > most.x || made.box.height() > most.y) continue;
-        add_sizes(sizes, figure, drawing, score_of(wanted, measure, made, page().x), scale);
+        add_sizes(sizes, figure, drawing, score_of(wanted, measure, &made, page().x), scale);
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
@@ -110,12 +139,12 @@ std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double s
 }
 
 /// A figure that fills its room has shrunk where its names needed the room.
-double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing,
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing,
                                  double enough) const {
     constexpr double as_asked = 6;
-    const bool has_shrunk = wanted.fills && drawing.places > measure.scale;
+    const bool has_shrunk = drawing != nullptr && wanted.fills && drawing->places > measure.scale;
     const double size =
-        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing.places : measure.scale), 1.0, enough);
+        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing->places : measure.scale), 1.0, enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
 }
 
@@ -123,28 +152,65 @@ double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, c
 /// within that column, as far as they find places there.
 void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range) {
     const Wanted& wanted = wanted_.list[figure];
-    const std::size_t free = drawn(figure, measure);
-    const Figure& drawing = drawings_[figure][free].figure;
-    if (drawing.scale == any_scale) return;
+    const std::size_t free = entered(figure, measure);
+    const Figure* drawing = drawings_[figure][free].figure ? &*drawings_[figure][free].figure : nullptr;
     const double score = score_of(wanted, measure, drawing, range == Range::up_to_page ? page().x : wanted.enough);
+    if (drawing == nullptr) {
+        const Spot names = about_strokes(figure);
+        sizes.push_back({.x = std::min(wanted.extent_x / measure.scale + names.x, page().x),
+                         .y = std::min(wanted.extent_y / measure.scale + names.y, page().y) + caption_line,
+                         .score = score,
+                         .scale = measure.scale,
+                         .caption = caption_line,
+                         .drawing = free,
+                         .estimated = true});
+        return;
+    }
+    if (drawing->scale == any_scale) return;
     // What fills its room has the scale of its vectors; that of its strokes is not its own.
     const auto scale_of = [&](const Figure& drawn) { return wanted.fills ? measure.scale : drawn.scale; };
-    add_sizes(sizes, figure, free, score, scale_of(drawing));
+    add_sizes(sizes, figure, free, score, scale_of(*drawing));
     // Enlarged details want room, and names that are in a key already find no place in less.
-    if (!(measure.wish.finest > 0) || !drawing.details.empty() || drawing.has_key) return;
+    if (!(measure.wish.finest > 0) || !drawing->details.empty() || drawing->has_key) return;
     constexpr double least_round = 8;  // mm, for names beside the strokes
     constexpr double price_of_narrow = 0.05;
     constexpr double least_share = 0.75;  // of the width; names hardly ever find places in less
-    double width = drawing.box.width();
+    double width = drawing->box.width();
     const double strokes = wanted.extent_x / measure.scale;
     while (const auto column = narrower(width, std::max(strokes + least_round, least_share * width))) {
         const std::size_t narrow =
-            drawn(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
-        const Figure& other = drawings_[figure][narrow].figure;
+            entered(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
+        if (!drawings_[figure][narrow].figure) {
+            sizes.push_back({.x = *column,
+                             .y = std::min(drawing->box.height(), page().y) + caption_line,
+                             .score = score - price_of_narrow,
+                             .scale = scale_of(*drawing),
+                             .caption = caption_line,
+                             .drawing = narrow,
+                             .estimated = true});
+            return;
+        }
+        const Figure& other = *drawings_[figure][narrow].figure;
         if (other.scale == any_scale || other.box.width() > *column || other.has_key) return;
         add_sizes(sizes, figure, narrow, score - price_of_narrow, scale_of(other));
         width = other.box.width();
     }
+}
+
+/// What names take about the strokes at other scales, at least: half of what they take in the drawing in which they
+/// take least, so that no scale is passed over that has room. Nothing, as long as the figure is not drawn at any scale.
+Spot MeasuredFigures::about_strokes(std::size_t figure) const {
+    const Wanted& wanted = wanted_.list[figure];
+    std::optional<Spot> least;
+    for (const Drawing& drawing : drawings_[figure]) {
+        if (!drawing.figure || drawing.wish.strict || drawing.figure->scale == any_scale) continue;
+        const double scale = wanted.fills ? drawing.figure->places : drawing.figure->scale;
+        const Spot names{std::max(drawing.figure->box.width() - wanted.extent_x / scale, 0.0),
+                         std::max(drawing.figure->box.height() - wanted.extent_y / scale, 0.0)};
+        least = least ? Spot{std::min(least->x, names.x), std::min(least->y, names.y)} : names;
+    }
+    constexpr double certain = 0.5;
+    return least ? Spot{certain * least->x, certain * least->y} : Spot{};
 }
 
 /// The widest column or columns of less than `width` and at least `least` mm.
@@ -271,19 +337,25 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& w
     return all;
 }
 
-/// The drawing of a figure for a measure, made once. What had room at the finest scale is the same drawing whether or
-/// not it might have come coarser.
-std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
+/// The drawing of a figure for a measure, which may still have to be made. What had room at the finest scale is the
+/// same drawing whether or not it might have come coarser.
+std::size_t MeasuredFigures::entered(std::size_t figure, const Measure& measure) {
     std::deque<Drawing>& known = drawings_[figure];
     for (std::size_t i = 0; i < known.size(); ++i)
         if (known[i].room.x == measure.room.x && known[i].room.y == measure.room.y &&
             known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
             known[i].wish.strict == measure.wish.strict &&
-            (known[i].wish.exactly == measure.wish.exactly || known[i].figure.scale == measure.wish.finest))
+            (known[i].wish.exactly == measure.wish.exactly ||
+             (known[i].figure && known[i].figure->scale == measure.wish.finest)))
             return i;
-    Drawing drawing{measure.room, measure.wish, wanted_.draw(figure, measure.room, measure.wish)};
-    known.push_back(std::move(drawing));
+    known.push_back({measure.room, measure.wish, std::nullopt});
     return known.size() - 1;
+}
+
+std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
+    const std::size_t drawing = entered(figure, measure);
+    draws(figure, {.drawing = drawing, .estimated = true});
+    return drawing;
 }
 
 /// With its caption in one line and, at a price, in several.
@@ -293,7 +365,7 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     constexpr double least_of_caption = 40;  // mm
     constexpr int number = 88;               // as wide as any that a sheet has
     constexpr double price_of_lack = 0.4;    // about half a step of the scale
-    const Figure& drawn = drawings_[figure][drawing].figure;
+    const Figure& drawn = *drawings_[figure][drawing].figure;
     // Vectors too short to read, and names that stand in a key.
     if (drawn.lacks_details || drawn.has_key) score -= price_of_lack;
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
@@ -310,13 +382,14 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
 }
 
 double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& equations) {
+    if (size.estimated) return 0;
     Drawing& drawing = drawings_[figure][size.drawing];
     // What is larger than its page leaves no corner.
-    const Box& box = drawing.figure.box;
+    const Box& box = drawing.figure->box;
     if (box.width() > size.x || box.height() > size.y - size.caption + rounding)
         return std::numeric_limits<double>::infinity();
     if (drawing.beside != equations.width)
-        drawing.beside = equations.width, drawing.wider = width_beside(drawing.figure, equations);
+        drawing.beside = equations.width, drawing.wider = width_beside(*drawing.figure, equations);
     return drawing.wider;
 }
 

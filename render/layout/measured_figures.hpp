@@ -1,5 +1,6 @@
-// Measured figures: each figure drawn, letters included, at the standard scales that its page could take. A plan
-// chooses among these drawings; nothing is drawn again.
+// Measured figures: the space of each figure at the standard scales that its page could take. It is that of its strokes
+// until a plan chooses it; then the figure is drawn, letters included, and the plan is made again with what it takes.
+// Nothing is drawn twice.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +31,24 @@ class MeasuredFigures {
 public:
     MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format,
                     const std::optional<KeptScales>& kept)
-        : context_(context), wanted_(wanted), format_(format), kept_(kept), drawings_(wanted.list.size()) {}
+        : context_(context),
+          wanted_(wanted),
+          format_(format),
+          kept_(kept),
+          drawings_(wanted.list.size()),
+          times_drawn_(wanted.list.size()) {}
 
     /// The sizes that are measured: down to a small one, to one that can hardly be read, or up to the page.
     enum class Range : std::uint8_t { usual, small, crowded, up_to_page };
-    /// The sizes of a figure (index into WantedFigures::list), the highest score first. `force_scale`: the common scale
-    /// of force polygons.
+    /// The sizes of a figure (index into WantedFigures::list), the highest score first, estimated where it is not drawn
+    /// yet. `force_scale`: the common scale of force polygons.
     const std::vector<FigureSize>& sizes(std::size_t figure, std::optional<double> force_scale, Range range);
+    /// The same, all of them drawn.
+    const std::vector<FigureSize>& drawn_sizes(std::size_t figure, std::optional<double> force_scale, Range range);
+    /// Draws what is only estimated. False: the size is that of a drawing.
+    bool draws(std::size_t figure, const FigureSize& size);
+    /// Whether it has sizes in that range that it has not in the usual one.
+    bool has_more_sizes(std::size_t figure, std::optional<double> force_scale, Range range) const;
     /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
     /// polygons, or the file gives their scale.
     std::vector<double> force_scales() const;
@@ -58,7 +70,7 @@ public:
     /// where the largest polygon is smaller than `enough` mm.
     std::vector<double> force_scales_between(double scale, double enough) const;
     const Figure& drawing(std::size_t figure, const FigureSize& size) const {
-        return drawings_[figure][size.drawing].figure;
+        return *drawings_[figure][size.drawing].figure;
     }
     /// By how many mm the room of a drawing must be wider to hold the equations of its band in one of its corners.
     /// Infinity: no room is wide enough.
@@ -68,7 +80,7 @@ private:
     struct Drawing {
         Spot room;
         ScaleWish wish;
-        Figure figure;
+        std::optional<Figure> figure;  // when a plan has chosen it
         double beside = 0, wider = 0;  // width of the equations of its band, and by how much it must be wider for them
     };
     struct Measure {
@@ -77,10 +89,11 @@ private:
         ScaleWish wish;
     };
     void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range);
-    double score_of(const Wanted& wanted, const Measure& measure, const Figure& drawing, double enough) const;
+    double score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing, double enough) const;
     const Wanted* largest_of_forces() const;
     bool may_grow(std::size_t figure) const;
     std::vector<double> finer_scales(const Wanted& wanted, double scale) const;
+    Spot about_strokes(std::size_t figure) const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;
     std::vector<Measure> filling(const Wanted& wanted, Range range) const;
@@ -88,6 +101,7 @@ private:
     std::vector<Measure> as_kept(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;
     std::vector<Measure> at_scales(const Wanted& wanted, Range range) const;
+    std::size_t entered(std::size_t figure, const Measure& measure);
     std::size_t drawn(std::size_t figure, const Measure& measure);
     void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
                    double scale) const;
@@ -98,7 +112,12 @@ private:
     const SheetFormat& format_;
     const std::optional<KeptScales>& kept_;
     std::vector<std::deque<Drawing>> drawings_;  // by figure; a deque, because references to drawings are kept
-    std::map<std::tuple<std::size_t, double, Range>, std::vector<FigureSize>> sizes_;
+    std::vector<std::size_t> times_drawn_;       // by figure
+    struct Sizes {
+        std::size_t drawings = 0;  // of the figure, when they were taken
+        std::vector<FigureSize> list{};
+    };
+    std::map<std::tuple<std::size_t, double, Range>, Sizes> sizes_;
 };
 
 }  // namespace kinegraph::render

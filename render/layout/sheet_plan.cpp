@@ -2,6 +2,7 @@
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "engine/number/assert.hpp"
@@ -14,6 +15,7 @@ namespace {
 constexpr int columns_more_at_first = 1, columns_more_for_small = 2;
 constexpr double packed = 0.85;                  // of a page, about the most that plans reach
 constexpr double larger_text[] = {1.25, 1.125};  // relative to the text of the format
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();  // of pages
 
 }  // namespace
 
@@ -44,9 +46,8 @@ std::shared_ptr<BandTexts> SheetPlan::texts_of(double size) const {
 bool SheetPlan::improves(std::shared_ptr<BandTexts> texts) {
     not_coarser_ = scales();
     Planned before = std::exchange(now_, {std::move(texts)});
-    plan_all();
+    const bool good = plan_all([&](const Planned& plan) { return plan.pages.size() <= before.pages.size(); });
     not_coarser_.reset();
-    const bool good = !now_.pages.empty() && now_.pages.size() <= before.pages.size();
     if (!good) now_ = std::move(before);
     return good;
 }
@@ -83,10 +84,7 @@ void SheetPlan::try_finer_shares() {
         Planned before = std::exchange(now_, {now_.texts});
         now_.layouts = std::vector(before.layouts);
         change();
-        plan_all();
-        if (!now_.pages.empty() && (now_.pages.size() < before.pages.size() ||
-                                    (now_.pages.size() == before.pages.size() && now_.score > before.score)))
-            return true;
+        if (plan_all([&](const Planned& plan) { return plan.is_better_than(before); })) return true;
         now_ = std::move(before);
         return false;
     };
@@ -174,7 +172,7 @@ bool SheetPlan::fills_rooms_with_forces(double scale) {
             const std::size_t figure = bands_.list[placed.band].figures[f];
             const bool of_forces = all && wanted_.list[figure].to_force_scale && layout.sizes[f].x > 0;
             has_forces = has_forces || of_forces;
-            sizes.push_back(of_forces ? measured_.sizes(figure, scale, MeasuredFigures::Range::usual)
+            sizes.push_back(of_forces ? measured_.drawn_sizes(figure, scale, MeasuredFigures::Range::usual)
                                       : std::vector{layout.sizes[f]});
         }
         if (has_forces) all = (grown[placed.band] = filled(placed, std::move(sizes))).has_value() && all;
@@ -203,12 +201,12 @@ bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
 /// Figures are small only where that saves a page.
 void SheetPlan::find_pages() {
     small_ = false;
-    const bool found = finds_pages();
+    const bool found = finds_pages(any_number);
     if (found && (now_.pages.size() == 1 || !may_be_small())) return;
     const std::optional<double> force_scale = force_scale_;
     Planned before = std::exchange(now_, {now_.texts});
     small_ = true;
-    if (finds_pages() && (!found || now_.pages.size() < before.pages.size())) return;
+    if (finds_pages(found ? before.pages.size() - 1 : any_number)) return;
     if (found) {
         small_ = false;
         now_ = std::move(before);
@@ -216,7 +214,7 @@ void SheetPlan::find_pages() {
         return;
     }
     give_each_a_page();
-    const bool divided = finds_pages();
+    const bool divided = finds_pages(any_number);
     KG_ASSERT(divided, "each band has a page");
 }
 
@@ -224,26 +222,22 @@ bool SheetPlan::may_be_small() {
     using Range = MeasuredFigures::Range;
     for (const Band& band : bands_.list)
         for (const std::size_t figure : band.figures)
-            if (measured_.sizes(figure, force_scale_, Range::small).size() !=
-                measured_.sizes(figure, force_scale_, Range::usual).size())
-                return true;
+            if (measured_.has_more_sizes(figure, force_scale_, Range::small)) return true;
     return false;
 }
 
-/// Plans at each common scale of forces, and keeps the best plan. False if there is none.
-bool SheetPlan::finds_pages() {
+/// Plans at each common scale of forces, and keeps the best plan. False if there is none of so few pages.
+bool SheetPlan::finds_pages(std::size_t most_pages) {
     std::vector<double> scales = measured_.force_scales();
-    if (scales.empty()) {
-        plan_all();
-        return !now_.pages.empty();
-    }
     std::optional<double> best;
     Planned plan;
+    const auto may_do = [&](const Planned& now) {
+        return now.pages.size() <= most_pages && (!best || now.is_better_than(plan));
+    };
+    if (scales.empty()) return plan_all(may_do);
     for (const double scale : scales) {
         force_scale_ = scale;
-        plan_all();
-        if (now_.pages.empty() || (best && now_.pages.size() > plan.pages.size())) continue;
-        if (best && now_.pages.size() == plan.pages.size() && !(now_.score > plan.score)) continue;
+        if (!plan_all(may_do)) continue;
         best = scale;
         plan = Planned(now_);
     }
@@ -251,7 +245,17 @@ bool SheetPlan::finds_pages() {
     return best.has_value();
 }
 
-void SheetPlan::plan_all() {
+/// Plans, draws what the plan has chosen by its strokes alone, and plans again with what that takes, until all that is
+/// chosen is drawn. False as soon as there is no plan that may do: drawn figures take more space than estimated ones.
+bool SheetPlan::plan_all(const std::function<bool(const Planned&)>& may_do) {
+    do {
+        plan_once();
+        if (now_.pages.empty() || !may_do(now_)) return false;
+    } while (draws_what_is_chosen());
+    return true;
+}
+
+void SheetPlan::plan_once() {
     std::vector<BandLayouts> before = std::move(now_.layouts);
     now_.layouts.clear();
     for (std::size_t b = 0; b < bands_.list.size(); ++b) {
@@ -263,6 +267,15 @@ void SheetPlan::plan_all() {
     now_.taken.assign(now_.layouts.size(), std::nullopt);
     now_.pages = std::move(plan.pages);
     now_.score = plan.score;
+}
+
+bool SheetPlan::draws_what_is_chosen() {
+    bool any = false;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        for (std::size_t f = 0; f < layout.sizes.size(); ++f)
+            any = measured_.draws(bands_.list[placed.band].figures[f], layout.sizes[f]) || any;
+    });
+    return any;
 }
 
 KeptScales SheetPlan::scales() const {
@@ -303,12 +316,14 @@ std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t
 void SheetPlan::give_each_a_page() {
     now_.layouts.clear();
     rejoin();
+    draws_all_ = true;
     for (std::size_t b = 0; b < bands_.list.size(); ++b)
         while (score_of(b, bands_.list[b].end_row) < BandLayout::possible)
             if (const std::size_t rows = rows_for_a_page(b); rows > 0)
                 divide(b, rows);
             else if (!crowded_.insert(bands_.list[b].question).second)
                 part_figures(b);
+    draws_all_ = false;
 }
 
 /// The score of a band that has a page to itself, with its text up to row `end_row`.
@@ -349,7 +364,8 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
                                                          : Range::usual;
     std::vector<std::vector<FigureSize>> sizes;
     for (const std::size_t figure : band.figures) {
-        sizes.push_back(measured_.sizes(figure, force_scale_, range));
+        sizes.push_back(draws_all_ ? measured_.drawn_sizes(figure, force_scale_, range)
+                                   : measured_.sizes(figure, force_scale_, range));
         if (const auto found = between_.find(figure); found != between_.end()) {
             const std::vector<FigureSize> more = measured_.sizes_between(figure, found->second);
             sizes.back().insert(sizes.back().end(), more.begin(), more.end());

@@ -2,6 +2,7 @@
 // page can hold. Draws nothing.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -49,9 +50,14 @@ private:
         std::vector<PlannedPage> pages{};
         mutable std::vector<std::optional<BandLayout>> taken{};  ///< by band, when it was first asked for
         double score = BandLayout::impossible;
+
+        /// Fewer pages, or as many and a higher score.
+        bool is_better_than(const Planned& other) const {
+            return pages.size() < other.pages.size() || (pages.size() == other.pages.size() && score > other.score);
+        }
     };
     void find_pages();
-    bool finds_pages();
+    bool finds_pages(std::size_t most_pages);
     bool may_be_small();
     std::shared_ptr<BandTexts> texts_of(double size) const;
     bool improves(std::shared_ptr<BandTexts> texts);
@@ -63,7 +69,9 @@ private:
     std::optional<BandLayout> filled(const PlacedBand& placed, std::vector<std::vector<FigureSize>> sizes) const;
     bool enlarge_text(double size);
     bool may_hold_text(double larger) const;
-    void plan_all();
+    bool plan_all(const std::function<bool(const Planned&)>& may_do);
+    void plan_once();
+    bool draws_what_is_chosen();
     void give_each_a_page();
     double score_of(std::size_t index, std::size_t end_row);
     std::size_t rows_for_a_page(std::size_t index);
@@ -77,6 +85,7 @@ private:
     Bands& bands_;
     const SheetFormat& format_;
     bool may_enlarge_text_ = true;
+    bool draws_all_ = false;                 // whether sizes are those of drawings, not estimated
     bool small_ = false;                     // whether figures may be small
     int columns_more_ = 1;                   // by which bands may share a page
     std::map<std::size_t, double> between_;  // figures that may have scales between this one and the next finer one
