@@ -19,10 +19,11 @@ struct ProblemValue {
     Words name;          ///< for readers
     std::string symbol;  ///< "p_0", "σ_z": a letter and its subscript
     QuantityKind kind = QuantityKind::dimensionless;
-    double value = 0;               ///< SI
-    std::optional<double> numeric;  ///< by the check
-    bool in_file = true;            ///< false: the results file has a special form for it
-    std::string unit{};             ///< SI unit of a value without a kind: "N s", "J"
+    double value = 0;                ///< SI
+    std::optional<double> numeric;   ///< by the check
+    bool in_file = true;             ///< false: the results file has a special form for it
+    std::string unit{};              ///< SI unit of a value without a kind: "N s", "J"
+    std::optional<Unit> shown_in{};  ///< of such a value: the unit for readers, where it is not the SI unit
 };
 
 struct ProblemSolution {

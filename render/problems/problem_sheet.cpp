@@ -41,7 +41,9 @@ double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& 
 ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units,
                      Language language) {
     const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
-    const Unit unit = value.unit.empty() ? suitable_unit(larger, value.kind, units) : Unit{value.unit, 1};
+    const Unit unit = value.shown_in       ? *value.shown_in
+                      : value.unit.empty() ? suitable_unit(larger, value.kind, units)
+                                           : Unit{value.unit, 1};
     const double si = unit.si.to_double();
     ResultCells cells;
     const std::string symbol = unit.symbol.empty() ? "" : unit.symbol == "°" ? "°" : " " + unit.symbol;
