@@ -63,9 +63,9 @@ enum class TextForm {
     formulas   ///< the text of that document alone, for MathJax and notebooks; tables as in `plain`
 };
 
-/// A mechanism file that was read and has no faults. It contains a mechanism, or a problem without joints (contact,
-/// wear, impact, the motion of a point, positions of a body). An immutable value: copies share their state, and several
-/// threads may use the same one. For the file format see docs/file.md.
+/// A mechanism file that was read and has no faults. It contains a mechanism, or a problem without joints
+/// (docs/file_problems.md). An immutable value: copies share their state, and several threads may use the same one. For
+/// the file format see docs/file.md.
 class MechanismFile {
 public:
     /// Reads the text of a file (JSON, UTF-8). `name` identifies it in messages and title blocks; `set` replaces

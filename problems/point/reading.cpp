@@ -23,13 +23,13 @@ namespace {
 constexpr std::array<std::string_view, 6> law_keys{"x", "y", "r", "theta", "path", "s"};
 
 constexpr FormRow law_row(std::string_view key) { return FormRow(key, "…", values::expression); }
-constexpr FormRow pair_of_lengths(std::string_view key) {
-    return FormRow(key, "[x, y]", values::list(values::length, 2, 2)).called(lang::common::a_place);
+constexpr FormRow pair_of_lengths(std::string_view key, std::string_view says) {
+    return FormRow(key, "[x, y]", values::list(values::length, 2, 2), says).called(lang::common::a_place);
 }
-constexpr std::array path_circle_rows{pair_of_lengths("centre"), values::radius};
+constexpr std::array path_circle_rows{pair_of_lengths("centre", "The circle's centre [x, y]."), values::radius};
 constexpr Form path_circle{lang::common::a_circle, path_circle_rows};
 constexpr std::array path_line_rows{
-    pair_of_lengths("from"),
+    pair_of_lengths("from", "Where s = 0: [x, y]."),
     FormRow("along", "…", values::json(R"("type": ["number", "string", "array"])"), "An angle or [dx, dy].")
         .needed(lang::point_motion::its_direction_an_angle_or_dx)};
 constexpr Form path_line{lang::common::a_line, path_line_rows};
