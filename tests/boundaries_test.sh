@@ -91,6 +91,7 @@ check() {
         floor problems impact
         floor problems point
         floor problems positions
+        floor problems rotor
         floor app library
         floor app files
         floor app server files

@@ -12,7 +12,7 @@ set(kinegraph_suite_groups sheets steps_and_upright figures commands)
 set(kinegraph_sanitized_suites
     Reader JsonSource Gate Formula FormulaSyntax Parameters Units Decimals Exact Root Found/.* ".*/Found" Pose Positions Mobility Branches
     Cam Program Forces Derivative Trusses Equations.* EquationsAsJson NamedResults Variants Cycle WorkedArithmetic Examples
-    ForceLaws ForceExamples HigherPairs Hertz Impact PointMotion Displacements VirtualWork ".*Superposed" RandomChains1 RandomMechanisms1
+    ForceLaws ForceExamples HigherPairs Hertz Impact Rotor PointMotion Displacements VirtualWork ".*Superposed" RandomChains1 RandomMechanisms1
     RandomForces1 RoundedDegenerateMechanisms Sheet "Sheet/EveryExample" "Lying/OverlapOnPaper" Handouts "Examples/Steps" RandomPages1
     Svg Backends Png Pdf Picture Markup LiveText Tex Type Utf8 DiffCommand QuizOf PublicFace)
 list(JOIN kinegraph_sanitized_suites "|" kinegraph_sanitized_suites)

@@ -10,6 +10,7 @@
 #include "problems/point/point.hpp"
 #include "problems/positions/positions.hpp"
 #include "problems/reye/reye.hpp"
+#include "problems/rotor/rotor.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/scene/drawing_context.hpp"
 
@@ -25,6 +26,7 @@ constexpr std::array problem_rows{
     ProblemRow{&hertz_problem, render::hertz_sections},
     ProblemRow{&reye_problem, render::reye_sections},
     ProblemRow{&impact_problem, render::impact_sections},
+    ProblemRow{&rotor_problem, render::rotor_sections},
     ProblemRow{&positions_problem, render::positions_sections},
     ProblemRow{&point_problem, render::point_sections, render::point_items},
 };

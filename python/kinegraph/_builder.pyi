@@ -318,6 +318,15 @@ class FileBuilder:
         normal: The direction of the line of impact.
         restitution: From 0 to 1.
         friction: Coefficient of friction. Default: 0."""
+    def rotor(self, *value: Any, planes: Mapping[str, Any] = ..., masses: Mapping[str, Any] = ...,
+            correction: Sequence[Any] = ..., bearings: Sequence[Any] = ..., omega: Quantity = ...) -> Self:
+        """Sets 'rotor'. Masses on a shaft, to be balanced in one plane or two, in place of joints.
+
+        planes: Name → its place z along the shaft.
+        masses: Name → mass.
+        correction: One: static balance; two: dynamic balance.
+        bearings: The planes of the two bearings.
+        omega: With bearings: the speed at which they are loaded. rad/s, rpm, deg/s, rev/s."""
     def positions(self, *value: Any) -> Self:
         """Sets 'positions'. Two or three positions of a body by the places of two of its points; further ones also
         by the first point and "turned"."""

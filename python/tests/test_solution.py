@@ -102,7 +102,7 @@ def test_what_is_not_determined_has_a_reason(examples):
 
 
 def test_results_of_every_example_are_the_programs(examples, program):
-    files = sorted(path for folder in (examples, examples / "contact", examples / "motion")
+    files = sorted(path for folder in (examples, examples / "contact", examples / "motion", examples / "rotor")
                    for path in folder.glob("*.json") if path.name != "cam_from_law.json")
     assert len(files) > 70
     wanted = program("batch", "--jobs", "2", input="".join(

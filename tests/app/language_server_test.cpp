@@ -273,7 +273,7 @@ std::vector<Quoted> quoted_in(const std::string& text) {
 // file itself calls so (a point, a force, a text in some language) is neither proposed nor explained.
 TEST_F(LanguageServerCommand, ProposesWhatTheExamplesSay) {
     begin();
-    const std::set<std::string> own_keys{"points", "bodies", "parameters", "constants", "vary", "positions"};
+    const std::set<std::string> own_keys{"points", "bodies", "parameters", "constants", "vary", "positions", "planes"};
     const std::set<std::string> names_as_keys{"masses", "profiles", "materials", "velocities", "accelerations"};
     const std::set<std::string> own_texts{"couple", "force", "name", "title", "en", "it", "fr", "de", "es"};
     std::size_t keys = 0, names = 0, number = 0;
@@ -289,6 +289,7 @@ TEST_F(LanguageServerCommand, ProposesWhatTheExamplesSay) {
             const bool is_name = is_in("points", each.word) || is_in("bodies", each.word);
             if (++number % 8 != 0 || (each.is_key ? own_keys : own_texts).contains(each.within)) continue;
             if (!each.is_key && !is_name) continue;
+            if (each.within == "masses" && file.contains("rotor")) continue;  // there they have names of their own
             const std::string without = text.substr(0, each.begin + 1) + text.substr(each.end - 1);
             editor_.open(uri, without);
             Names labels;

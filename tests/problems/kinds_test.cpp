@@ -18,7 +18,7 @@ namespace {
 /// The examples that state a problem in place of joints.
 std::map<std::string, const ProblemKind*> examples_of_problems() {
     std::map<std::string, const ProblemKind*> found;
-    for (const char* folder : {"contact", "motion"})
+    for (const char* folder : {"contact", "motion", "rotor"})
         for (const std::string& name : tests::example_names(folder)) {
             const std::string example = std::string(folder) + "/" + name;
             if (const auto& problem = tests::example(example).mechanism.problem) found.emplace(example, problem->kind);

@@ -22,7 +22,7 @@ using namespace pages;
 
 std::vector<std::string> problem_names() {
     std::vector<std::string> names;
-    for (const char* folder : {"contact", "motion"})
+    for (const char* folder : {"contact", "motion", "rotor"})
         for (const std::string& name : tests::example_names(folder)) names.push_back(std::string(folder) + "/" + name);
     return names;
 }
