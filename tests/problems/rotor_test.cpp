@@ -14,6 +14,7 @@
 
 #include "engine/results/results.hpp"
 #include "problems/rotor/rotor.hpp"
+#include "render/problems/problem_sheet.hpp"
 #include "tests/support/pages.hpp"
 #include "tests/support/problem_tests.hpp"
 
@@ -297,6 +298,38 @@ TEST(Rotor, ResultsNameTheCorrections) {
     EXPECT_TRUE(dynamic.at("rotor").at("exact").is_null());
     EXPECT_EQ(dynamic.at("rotor").at("corrections").at(1).at("plane"), "B");
     EXPECT_EQ(dynamic.at("rotor").at("reactions").size(), 2u);
+}
+
+TEST(Rotor, UnbalancesAreSaidInTheUnitsOfTheFile) {
+    const Solution& solution = example("rotor/four_masses");
+    const auto found = std::find_if(solution.problem->values.begin(), solution.problem->values.end(),
+                                    [](const ProblemValue& each) { return each.key == "unbalance A"; });
+    ASSERT_NE(found, solution.problem->values.end());
+    EXPECT_EQ(found->unit, "kg m");
+    EXPECT_NEAR(found->value, 0.0958942, 1e-7);
+    const std::string table = render::problem_table(solution, Language::en);
+    EXPECT_NE(table.find("95.894 kg mm"), std::string::npos) << table;
+}
+
+/// Along one line they would cover each other.
+TEST(Rotor, VectorsAlongOneLineStandSideBySide) {
+    using namespace render;
+    const Theme theme;
+    const Solution solution = balanced(
+        file_of({{"1", "2", "50", "0", 0}, {"2", "3", "50", "180", 100}, {"3", "2", "50", "0", 200}}, in_both));
+    const DrawingContext context{solution, theme, tests::fonts()};
+    for (const RotorFigure which : {RotorFigure::forces, RotorFigure::couples}) {
+        const Figure figure = rotor_polygon(context, which, 80, 70);
+        std::vector<double> heights;
+        for (const Mark& mark : figure.marks)
+            if (const auto* axis = std::get_if<Axis>(&mark)) {
+                EXPECT_NEAR(axis->tail.y, axis->tip.y, 1e-9);
+                heights.push_back(axis->tip.y);
+            }
+        ASSERT_GE(heights.size(), 4u);
+        std::sort(heights.begin(), heights.end());
+        for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GT(heights[i] - heights[i - 1], 2);
+    }
 }
 
 /// What is measured on paper is the result, and the polygons close.
