@@ -60,7 +60,7 @@ private:
 
     template <class Value>
     void compare_motion(const Quantity& quantity, const Value& found) {
-        if (result_kind(quantity).is_of_forces() || result_kind(quantity).on_request) return;
+        if (!result_kind(quantity).is_velocity() && !result_kind(quantity).is_acceleration()) return;
         const auto numeric = numeric_result(numeric_, mechanism_, solution_.pose, quantity);
         if (!numeric) return;
         if constexpr (std::is_same_v<Value, Exact>)

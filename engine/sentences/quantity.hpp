@@ -39,8 +39,12 @@ struct Quantity {
         power_of_load,        ///< `given`: index in Mechanism::loads
         power_of_weight,      ///< `given`: index in Mechanism::masses
         power_of_inertia,
-        power_of_effort,    ///< `given`: index in Mechanism::efforts
-        transmission_angle  ///< at `joint`, between the coupler `other` and the link `body` that it drives
+        power_of_effort,     ///< `given`: index in Mechanism::efforts
+        transmission_angle,  ///< at `joint`, between the coupler `other` and the link `body` that it drives
+        cut_moment,          ///< of the known actions, in the cut `given` of a truss, that finds the bar `body`
+        cut_arm,             ///< … and of that bar, about the meet of the others
+        cut_across,          ///< where these are parallel: of the known actions the component across them
+        cut_sine             ///< … and of the angle of that bar with them
     } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;

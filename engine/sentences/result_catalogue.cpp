@@ -74,6 +74,11 @@ constexpr std::array rows{
     ResultKind{Kind::transmission_angle, Subject::coupler, Shape::scalar, In::angle, Scale::given, Letter::point,
                "transmission angle", "", "transmission angles/*", "transmission angle", true, "γ",
                lang::sheet::asked_transmission_here},
+    ResultKind{Kind::cut_moment, Subject::bar, Shape::scalar, In::moment, Scale::given, Letter::M, "cut", " moment"},
+    ResultKind{Kind::cut_arm, Subject::bar, Shape::scalar, In::length, Scale::given, Letter::point, "cut", " arm"},
+    ResultKind{Kind::cut_across, Subject::bar, Shape::scalar, In::force, Scale::given, Letter::F, "cut", " across"},
+    ResultKind{Kind::cut_sine, Subject::bar, Shape::scalar, In::dimensionless, Scale::given, Letter::point, "cut",
+               " sine"},
 };
 
 constexpr bool are_in_order() {
@@ -81,7 +86,7 @@ constexpr bool are_in_order() {
         if (rows[i].kind != static_cast<Kind>(i)) return false;
     return true;
 }
-static_assert(are_in_order() && rows.size() == static_cast<std::size_t>(Kind::transmission_angle) + 1);
+static_assert(are_in_order() && rows.size() == static_cast<std::size_t>(Kind::cut_sine) + 1);
 
 using Reading = Tolerance::Reading;
 

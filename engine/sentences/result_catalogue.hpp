@@ -89,7 +89,9 @@ struct ResultKind {
     bool is_acceleration() const {
         return unit == QuantityKind::acceleration || unit == QuantityKind::angular_acceleration;
     }
-    bool is_of_curvature() const { return unit == QuantityKind::length && subject != Subject::two_bodies; }
+    bool is_of_curvature() const {
+        return unit == QuantityKind::length && (subject == Subject::path || subject == Subject::body);
+    }
     /// A force, a couple or a power.
     bool is_of_forces() const {
         return unit == QuantityKind::force || unit == QuantityKind::moment || unit == QuantityKind::power;

@@ -36,10 +36,8 @@ std::vector<EffortValue> efforts_found(const Solution& solution) {
     if (efforts.empty())
         for (const Effort& each : solution.mechanism.efforts)
             efforts.push_back({std::visit([](const auto& effort) { return effort.name; }, each), std::nullopt});
-    for (const Displacements::Effort& each : solution.displacements->efforts) {
-        EffortValue& effort = efforts[at_index(each.given)];
-        if (!effort.value && each.value) effort.value = *each.value;
-    }
+    for (std::size_t e = 0; e < efforts.size(); ++e)
+        if (!efforts[e].value) efforts[e].value = solution.displacements->found(e);
     return efforts;
 }
 

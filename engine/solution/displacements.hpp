@@ -39,8 +39,14 @@ struct Displacements {
     };
     Words why_not;  ///< not empty: there are no displacements, for this reason
     std::vector<Freedom> freedoms;
-    std::vector<Effort> efforts;
-    bool balanced = true;  ///< false: no efforts make all works vanish
+    std::vector<Effort> efforts;  ///< all of the mechanism, or none
+    bool balanced = true;         ///< false: no efforts make all works vanish
+
+    /// The value of an effort of the mechanism.
+    Recorded<Exact> found(std::size_t given) const {
+        if (given >= efforts.size() || !efforts[given].value) return {};
+        return *efforts[given].value;
+    }
 };
 
 /// The works: one equation for each freedom, linear in the efforts.

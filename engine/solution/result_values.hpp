@@ -8,6 +8,7 @@
 
 #include "engine/mechanism/couplers.hpp"
 #include "engine/sentences/result_catalogue.hpp"
+#include "engine/solution/displacements.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
@@ -92,17 +93,51 @@ void for_each_curvature(const Solution& solution, Show show) {
         show({.kind = Quantity::Kind::acceleration_pole, .body = found.body}, found.acceleration_pole);
     }
 }
+/// Efforts, also by virtual displacements.
+template <class Show>
+void for_each_effort(const Solution& solution, Show show) {
+    const auto effort = [](Quantity::Kind kind, std::size_t given) -> Quantity {
+        return {.kind = kind, .given = static_cast<int>(given)};
+    };
+    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
+        show(effort(Quantity::Kind::effort, e), solution.efforts[e].value, solution);
+    for (std::size_t e = 0; solution.displacements && e < solution.mechanism.efforts.size(); ++e)
+        show(effort(Quantity::Kind::virtual_effort, e), solution.displacements->found(e), solution);
+}
+
 /// Components of forces that are open otherwise, and what is given on unsupported bodies.
 template <class Show>
 void for_each_force_in_part(const Solution& solution, Show show) {
     for (const JointForce& action : solution.forces) {
         Quantity quantity = quantity_of(action);
         quantity.kind = Quantity::Kind::force_component;
-        if (action.component) show(quantity, Recorded<Exact>(Exact::from_double(component_of(action))));
+        if (action.component) show(quantity, Recorded<Exact>(Exact::from_double(component_of(action))), action);
     }
     for (const Resultant& found : solution.resultants) {
-        show({.kind = Quantity::Kind::resultant, .body = found.bodies.front()}, found.force);
-        show({.kind = Quantity::Kind::resultant_couple, .body = found.bodies.front()}, found.couple);
+        show({.kind = Quantity::Kind::resultant, .body = found.bodies.front()}, found.force, found);
+        show({.kind = Quantity::Kind::resultant_couple, .body = found.bodies.front()}, found.couple, found);
+    }
+}
+/// Forces in the bars of a truss, and the equations of its cuts.
+template <class Show>
+void for_each_bar(const Solution& solution, Show show) {
+    if (!solution.truss) return;
+    const Truss& truss = *solution.truss;
+    const std::vector<TrussStructure::Bar>& bars = truss.structure.bars;
+    const auto number = [](double value) { return Recorded<Exact>(Exact::from_double(value)); };
+    for (std::size_t b = 0; b < truss.bars.size(); ++b)
+        if (truss.bars[b].force)
+            show({.kind = Quantity::Kind::bar, .body = bars[b].body}, number(truss.tension(b, solution.pose.points)),
+                 solution);
+    for (std::size_t c = 0; c < truss.cuts.size(); ++c) {
+        const Truss::Cut& cut = truss.cuts[c];
+        const Truss::CutNumbers numbers = truss.numbers_of(cut, solution.pose.points);
+        const auto of_cut = [&](Quantity::Kind kind) -> Quantity {
+            return {.kind = kind, .body = bars[at_index(cut.found)].body, .given = static_cast<int>(c)};
+        };
+        using enum Quantity::Kind;
+        show(of_cut(cut.pivot ? cut_moment : cut_across), number(numbers.known), cut);
+        show(of_cut(cut.pivot ? cut_arm : cut_sine), number(numbers.arm), cut);
     }
 }
 
@@ -121,58 +156,57 @@ void for_each_relative_motion(const Solution& solution, Show show) {
                     .part = which,
                     .seen_from = query.translating_with};
         };
-        show(part(Quantity::Kind::velocity, Part::relative), motion.relative_velocity);
-        show(part(Quantity::Kind::acceleration, Part::relative), motion.relative_acceleration);
-        show(part(Quantity::Kind::velocity, Part::transport), motion.transport_velocity);
-        show(part(Quantity::Kind::acceleration, Part::transport), motion.transport_acceleration);
-        show(part(Quantity::Kind::acceleration, Part::coriolis), motion.coriolis);
+        show(part(Quantity::Kind::velocity, Part::relative), motion.relative_velocity, motion);
+        show(part(Quantity::Kind::acceleration, Part::relative), motion.relative_acceleration, motion);
+        show(part(Quantity::Kind::velocity, Part::transport), motion.transport_velocity, motion);
+        show(part(Quantity::Kind::acceleration, Part::transport), motion.transport_acceleration, motion);
+        show(part(Quantity::Kind::acceleration, Part::coriolis), motion.coriolis, motion);
     }
 }
 
-/// Calls `show(const Quantity&, const Recorded<T>&)` for each result that is sought, known or not, T being Exact or
-/// Distance for a scalar, Vector for a vector, ProjectivePoint for a place that may be at infinity: bodies in the
-/// file's order, points that are not of the frame, slidings, actions at joints, efforts, centres, powers, forces in
-/// bars, curvature, components and resultants of forces, transmission angles, relative motions.
+/// Calls `show(const Quantity&, const Recorded<T>&, const Of&)` for each result that is sought, known or not, T being
+/// Exact or Distance for a scalar, Vector for a vector, ProjectivePoint for a place that may be at infinity: bodies in
+/// the file's order, points that are not of the frame, slidings, actions at joints, efforts, centres, powers, forces in
+/// bars and cuts, curvature, components and resultants of forces, transmission angles, relative motions. What says more
+/// than the value comes with it: its JointForce, InstantCentre, Truss::Cut, Resultant or RelativeMotion, else the
+/// solution.
 template <class Show>
 void for_each_sought(const Solution& solution, Show show) {
+    const auto show_alone = [&](const Quantity& quantity, const auto& found) { show(quantity, found, solution); };
     for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
-        show(omega_of(BodyIndex(b)), solution.bodies[b].omega);
-        show(alpha_of(BodyIndex(b)), solution.bodies[b].alpha);
+        show_alone(omega_of(BodyIndex(b)), solution.bodies[b].omega);
+        show_alone(alpha_of(BodyIndex(b)), solution.bodies[b].alpha);
     }
     for (const PointMotion& point : solution.points) {
         if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
-        show(velocity_of(point), point.velocity);
-        show(acceleration_of(point), point.acceleration);
+        show_alone(velocity_of(point), point.velocity);
+        show_alone(acceleration_of(point), point.acceleration);
     }
     for (const Sliding& sliding : solution.sliding) {
-        show({.kind = Quantity::Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
-        show({.kind = Quantity::Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
-        show({.kind = Quantity::Kind::sliding_coriolis, .joint = sliding.joint}, sliding.coriolis);
+        show_alone({.kind = Quantity::Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
+        show_alone({.kind = Quantity::Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
+        show_alone({.kind = Quantity::Kind::sliding_coriolis, .joint = sliding.joint}, sliding.coriolis);
     }
     for (const JointForce& action : solution.forces) {
         Quantity quantity = quantity_of(action);
-        show(quantity, action.force);
+        show(quantity, action.force, action);
         quantity.kind = Quantity::Kind::couple;
-        if (solution.mechanism.joint(action.joint).pair().transmits_couple()) show(quantity, action.couple);
+        if (solution.mechanism.joint(action.joint).pair().transmits_couple()) show(quantity, action.couple, action);
     }
-    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
-        show({.kind = Quantity::Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
-    for (const InstantCentre& centre : solution.centres) show(quantity_of(centre), centre.at);
-    for_each_power(solution, show);
-    for (std::size_t b = 0; solution.truss && b < solution.truss->bars.size(); ++b)
-        if (solution.truss->bars[b].force)
-            show(Quantity{.kind = Quantity::Kind::bar, .body = solution.truss->structure.bars[b].body},
-                 Recorded<Exact>(Exact::from_double(solution.truss->tension(b, solution.pose.points))));
-    for_each_curvature(solution, show);
+    for_each_effort(solution, show);
+    for (const InstantCentre& centre : solution.centres) show(quantity_of(centre), centre.at, centre);
+    for_each_power(solution, show_alone);
+    for_each_bar(solution, show);
+    for_each_curvature(solution, show_alone);
     for_each_force_in_part(solution, show);
     for (const auto& [name, coupler] : named_couplers(solution.mechanism, 0))
-        show(angle_of(coupler), Recorded<Exact>(Exact::from_double(transmission_angle(coupler, solution.pose))));
+        show_alone(angle_of(coupler), Recorded<Exact>(Exact::from_double(transmission_angle(coupler, solution.pose))));
     for_each_relative_motion(solution, show);
 }
 /// Of these the results that are known and have a name of their own: parts of a relative motion have none.
 template <class See>
 void for_each_result(const Solution& solution, See see) {
-    for_each_sought(solution, [&](const Quantity& quantity, const auto& found) {
+    for_each_sought(solution, [&](const Quantity& quantity, const auto& found, const auto& /*of*/) {
         if (found && quantity.part == Quantity::Part::whole) see(quantity, found);
     });
 }

@@ -12,7 +12,6 @@
 #include "engine/results/quantity_name.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/sentences/result_catalogue.hpp"
-#include "engine/solution/displacements.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/result_values.hpp"
@@ -57,7 +56,11 @@ class Text {
 public:
     Text(const Solution& solution, Language language)
         : solution_(solution), language_(language), magnitudes_(solution) {
-        for_each_sought(solution, [&](const Quantity& quantity, const auto& found) { take(quantity, found); });
+        for_each_sought(solution, [&](const Quantity& quantity, const auto& found, const auto& of) {
+            sought_.push_back({quantity, &of});
+            if constexpr (std::is_constructible_v<Value, decltype(*found)>)
+                if (found) sought_.back().value = *found;
+        });
     }
 
     std::string write() const {
@@ -99,17 +102,15 @@ private:
         if (magnitudes_.is_noise({.kind = kind}, length(v))) return value(0.0);
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
-    /// A result that is sought, with its value where it is known.
+    using Value = std::variant<Exact, Vector, ProjectivePoint>;
+    /// A result that is sought, with what says more than its value, and its value where it is known.
     struct Sought {
         Quantity quantity;
-        std::optional<std::variant<Exact, Vector>> value{};
+        std::variant<const Solution*, const JointForce*, const InstantCentre*, const Truss::Cut*, const Resultant*,
+                     const RelativeMotion*>
+            of;
+        std::optional<Value> value{};
     };
-    template <class Value>
-    void take(const Quantity& quantity, const Recorded<Value>& found) {
-        Sought& sought = sought_.emplace_back(Sought{quantity});
-        if constexpr (std::is_same_v<Value, Exact> || std::is_same_v<Value, Vector>)
-            if (found) sought.value = *found;
-    }
     /// A column of a table: a kind of results, or a part of them.
     struct Of {
         Kind kind;
@@ -136,14 +137,24 @@ private:
         return all;
     }
     static bool is_known(const Sought* each) { return each != nullptr && each->value.has_value(); }
+    static const Exact& scalar(const Sought& each) { return std::get<Exact>(*each.value); }
     static const Vector& vector(const Sought& each) { return std::get<Vector>(*each.value); }
+    Unit unit_of(const Sought& each) const {
+        return kinegraph::unit_of(unit_kind_of(each.quantity, solution_.mechanism), solution_.mechanism.units);
+    }
     /// A scalar, or the length of a vector, in its unit; a dash where it is not known.
     std::string cell(const Sought* each) const {
         if (!is_known(each)) return "–";
-        const Unit unit =
-            kinegraph::unit_of(unit_kind_of(each->quantity, solution_.mechanism), solution_.mechanism.units);
+        const Unit unit = unit_of(*each);
         if (const auto* scalar = std::get_if<Exact>(&*each->value)) return value(each->quantity, *scalar, unit);
         return length_of(each->quantity.kind, vector(*each), unit);
+    }
+    /// "AB, BC"
+    template <class Indices, class Name>
+    static std::string joined(const Indices& indices, Name name) {
+        std::string all;
+        for (const auto index : indices) all += (all.empty() ? "" : ", ") + name(index);
+        return all;
     }
     std::string colon() const { return word(lang::notation::colon, language_); }
     const std::string& body(BodyIndex index) const { return solution_.mechanism.body(index).name; }
@@ -254,11 +265,11 @@ private:
         const std::string alpha = plain(typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
         std::vector<Cells> rows{{word(lang::sheet::point, language_), "O′", "|v O′|" + speed, "|ω ∧ O′P|" + speed,
                                  "|a O′|" + rate, "|" + alpha + " ∧ O′P|" + rate, "|ω² O′P|" + rate}};
-        for (const RelativeMotion& each : solution_.relative_motion) {
-            if (!each.apart) continue;
-            const RelativeMotion::Apart& parts = *each.apart;
-            rows.push_back({observed({.other = each.query.observer, .point = each.query.point}),
-                            solution_.mechanism.point(parts.origin).name,
+        for (const Row& row : rows_of(std::array{Of{Kind::velocity, Quantity::Part::transport}})) {
+            const RelativeMotion& motion = *std::get<const RelativeMotion*>(row[0]->of);
+            if (!motion.apart) continue;
+            const RelativeMotion::Apart& parts = *motion.apart;
+            rows.push_back({observed(row[0]->quantity), solution_.mechanism.point(parts.origin).name,
                             length_of(Kind::velocity, *parts.origin_velocity, units.velocity),
                             length_of(Kind::velocity, *parts.turning_velocity, units.velocity),
                             length_of(Kind::acceleration, *parts.origin_acceleration, units.acceleration),
@@ -282,46 +293,51 @@ private:
     }
 
     /// "750 ∥ (0, 1)".
-    std::string component(const JointForce& each, const Unit& unit) const {
-        const Vector along = unit_of_component(each);
+    std::string component(const Sought& each) const {
+        const Vector along = unit_of_component(*std::get<const JointForce*>(each.of));
         constexpr int digits = 4;
-        const auto written = [&](double value) { return number(value, digits, language_); };
-        return written(component_of(each) / unit.si.to_double()) + " ∥ " +
-               pair_of(written(along.x.to_double()), written(along.y.to_double()), language_);
+        const auto written = [&](const Exact& v) { return number(v.to_double(), digits, language_); };
+        return written(scalar(each) / unit_of(each).si) + " ∥ " +
+               pair_of(written(along.x), written(along.y), language_);
+    }
+    /// Where a pair transmits no couple, it vanishes as soon as the force is known, or a component of it.
+    std::string couple(const Row& row) const {
+        if (row[1] != nullptr) return cell(row[1]);
+        return is_known(row[0]) || is_known(row[2]) ? value(0.0) : "–";
     }
 
     std::string reactions() const {
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
         const std::string in_force = " [" + force.symbol + "]";
-        const bool couples = std::any_of(solution_.forces.begin(), solution_.forces.end(),
-                                         [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
+        const std::vector<Row> found =
+            rows_of(std::array{Of{Kind::force}, Of{Kind::couple}, Of{Kind::force_component}});
+        const bool couples = std::any_of(found.begin(), found.end(),
+                                         [](const Row& row) { return is_known(row[1]) && !scalar(*row[1]).is_zero(); });
         std::vector<Cells> rows{
             {word(lang::common::joint, language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
         if (couples) rows[0].push_back("M [" + moment.symbol + "]");
-        const Quantity any_force{.kind = Kind::force};
-        for (const JointForce& each : solution_.forces) {
-            const std::string from = each.from == none ? word(lang::sheet::pin, language_) : body(each.from);
-            const std::string on = each.on == none ? word(lang::sheet::pin, language_) : body(each.on);
-            rows.push_back({solution_.mechanism.joint(each.joint).name + colon() + from + " " +
-                                word(lang::sheet::on, language_) + " " + on,
-                            each.force ? value(any_force, each.force->x, force) : "–",
-                            each.force ? value(any_force, each.force->y, force) : "–",
-                            each.force       ? length_of(Kind::force, *each.force, force)
-                            : each.component ? component(each, force)
-                                             : "–"});
-            if (couples) rows.back().push_back(each.couple ? value({.kind = Kind::couple}, *each.couple, moment) : "–");
+        const auto acting = [&](BodyIndex b) { return b == none ? word(lang::sheet::pin, language_) : body(b); };
+        for (const Row& row : found) {
+            const Quantity& action = row[0]->quantity;
+            Cells& cells = rows.emplace_back();
+            cells.push_back(solution_.mechanism.joint(action.joint).name + colon() + acting(action.other) + " " +
+                            word(lang::sheet::on, language_) + " " + acting(action.body));
+            for (const Exact Vector::*axis : {&Vector::x, &Vector::y})
+                cells.push_back(is_known(row[0]) ? value(action, vector(*row[0]).*axis, force) : "–");
+            cells.push_back(!is_known(row[0]) && is_known(row[2]) ? component(*row[2]) : cell(row[0]));
+            if (couples) cells.push_back(couple(row));
         }
         return table(word(lang::sheet::reactions_heading, language_), rows);
     }
 
+    /// From the reactions, else by virtual displacements.
     std::string efforts() const {
         std::vector<Cells> rows{{word(lang::sheet::effort, language_), "", ""}};
-        const std::vector<EffortValue> efforts = efforts_found(solution_);
-        for (std::size_t e = 0; e < efforts.size(); ++e) {
-            const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[e]);
-            const Unit& unit = couple ? solution_.mechanism.units.moment : solution_.mechanism.units.force;
-            const EffortValue& effort = efforts[e];
-            rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
+        for (const Row& row : rows_of(std::array{Of{Kind::effort}, Of{Kind::virtual_effort}})) {
+            const Sought& effort = is_known(row[0]) || row[1] == nullptr ? *row[0] : *row[1];
+            const Unit unit = unit_of(effort);
+            rows.push_back({subject_of(effort.quantity, solution_),
+                            is_known(&effort) ? value(scalar(effort), unit) : "–", unit.symbol});
         }
         return table(word(lang::sheet::efforts, language_), rows);
     }
@@ -347,7 +363,7 @@ private:
         const Unit& unit = solution_.mechanism.units.force;
         std::vector<Cells> rows{{word(lang::sheet::bar, language_), "N [" + unit.symbol + "]", ""}};
         for (const Row& row : rows_of(std::array{Of{Kind::bar}})) {
-            const Exact& pull = std::get<Exact>(*row[0]->value);
+            const Exact& pull = scalar(*row[0]);
             const Key sense = pull > 0 ? lang::sheet::tension : pull < 0 ? lang::sheet::compression : lang::sheet::idle;
             rows.push_back({subject_of(row[0]->quantity, solution_), cell(row[0]), word(sense, language_)});
         }
@@ -355,25 +371,20 @@ private:
     }
     /// The equations of the cuts: about the meet of two bars, or across bars that are parallel.
     std::string cuts(bool by_moments) const {
-        if (!solution_.truss) return {};
-        const Truss& truss = *solution_.truss;
         const Units& units = solution_.mechanism.units;
         const std::string &cut = word(lang::sheet::cut, language_), &bar = word(lang::sheet::bar, language_);
         std::vector<Cells> rows{by_moments ? Cells{cut, bar, word(lang::sheet::about, language_),
                                                    "M [" + units.moment.symbol + "]",
                                                    word(lang::sheet::arm, language_) + " [" + units.length.symbol + "]"}
                                            : Cells{cut, bar, "F ⟂ [" + units.force.symbol + "]", "sin φ"}};
-        for (const Truss::Cut& each : truss.cuts) {
-            if (each.pivot.has_value() != by_moments) continue;
-            std::string names;
-            for (const int b : each.bars) names += (names.empty() ? "" : ", ") + truss.structure.bars[at_index(b)].name;
-            const Truss::CutNumbers numbers = truss.numbers_of(each, solution_.pose.points);
-            const std::string& found = truss.structure.bars[at_index(each.found)].name;
-            rows.push_back(
-                by_moments
-                    ? Cells{names, found, each.pivot_name, value(numbers.known / units.moment.si.to_double()),
-                            value(numbers.arm / units.length.si.to_double())}
-                    : Cells{names, found, value(numbers.known / units.force.si.to_double()), value(numbers.arm)});
+        const std::array of_moments{Of{Kind::cut_moment}, Of{Kind::cut_arm}};
+        const std::array of_forces{Of{Kind::cut_across}, Of{Kind::cut_sine}};
+        for (const Row& row : rows_of(by_moments ? of_moments : of_forces)) {
+            const Truss::Cut& made = *std::get<const Truss::Cut*>(row[0]->of);
+            const auto name = [&](int b) { return solution_.truss->structure.bars[at_index(b)].name; };
+            Cells& cells = rows.emplace_back(Cells{joined(made.bars, name), subject_of(row[0]->quantity, solution_)});
+            if (by_moments) cells.push_back(made.pivot_name);
+            for (const Sought* each : row) cells.push_back(value(scalar(*each), unit_of(*each)));
         }
         return table(word(by_moments ? lang::sheet::cuts_by_moments : lang::sheet::cuts_across, language_), rows);
     }
@@ -382,12 +393,13 @@ private:
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
         std::vector<Cells> rows{{word(lang::sheet::body, language_), "Fx [" + force.symbol + "]",
                                  "Fy [" + force.symbol + "]", "M [" + moment.symbol + "]", ""}};
-        for (const Resultant& each : solution_.resultants) {
-            std::string names;
-            for (const BodyIndex b : each.bodies) names += (names.empty() ? "" : ", ") + body(b);
+        for (const Row& row : rows_of(std::array{Of{Kind::resultant}, Of{Kind::resultant_couple}})) {
+            const Resultant& found = *std::get<const Resultant*>(row[0]->of);
+            const Vector& sum = vector(*row[0]);
             rows.push_back(
-                {names, value(each.force->x, force), value(each.force->y, force), value(*each.couple, moment),
-                 word(each.vanishes ? lang::sheet::in_equilibrium : lang::sheet::not_in_equilibrium, language_)});
+                {joined(found.bodies, [&](BodyIndex b) { return body(b); }), value(sum.x, force), value(sum.y, force),
+                 value(scalar(*row[1]), moment),
+                 word(found.vanishes ? lang::sheet::in_equilibrium : lang::sheet::not_in_equilibrium, language_)});
         }
         return table(word(lang::sheet::resultant_of_what_is_given, language_), rows);
     }
@@ -396,26 +408,26 @@ private:
         const Unit& unit = solution_.mechanism.units.length;
         std::vector<Cells> rows{
             {word(lang::sheet::centre, language_), "x [" + unit.symbol + "]", "y [" + unit.symbol + "]"}};
-        for (const InstantCentre& centre : solution_.centres) {
-            const std::string name = body(centre.first) + "," + body(centre.second);
-            if (centre.as_one) {
-                rows.push_back({name, word(lang::sheet::everywhere, language_), ""});
-            } else if (centre.at && !centre.at->at_infinity()) {
-                const Vector at = centre.at->place();
-                const Quantity place{.kind = Kind::centre};
-                rows.push_back(
-                    {name, value(place, at.x / centre.at->w, unit), value(place, at.y / centre.at->w, unit)});
-            } else if (centre.at) {
-                const Spot along = unit_of(centre.at->place());
-                rows.push_back({name, "∞ · " + value(along.x), "∞ · " + value(along.y)});
+        for (const Row& row : rows_of(std::array{Of{Kind::centre}})) {
+            const Quantity& of = row[0]->quantity;
+            const InstantCentre& centre = *std::get<const InstantCentre*>(row[0]->of);
+            Cells& cells = rows.emplace_back(Cells{body(of.body) + "," + body(of.other)});
+            if (centre.as_one || !is_known(row[0])) {
+                const bool is_everywhere = centre.as_one || centre.everywhere;
+                cells.push_back(word(is_everywhere ? lang::sheet::everywhere : lang::sheet::not_found, language_));
+                continue;
+            }
+            const auto& at = std::get<ProjectivePoint>(*row[0]->value);
+            if (at.at_infinity()) {
+                const Spot along = direction(at.place());
+                for (const double share : {along.x, along.y}) cells.push_back("∞ · " + value(share));
             } else {
-                rows.push_back(
-                    {name, word(centre.everywhere ? lang::sheet::everywhere : lang::sheet::not_found, language_), ""});
+                for (const Exact& coordinate : {at.x, at.y}) cells.push_back(value(of, coordinate, unit));
             }
         }
         return table(word(lang::sheet::instant_centres, language_), rows);
     }
-    static Spot unit_of(const Vector& v) {
+    static Spot direction(const Vector& v) {
         const Exact largest = std::max(abs(v.x), abs(v.y));
         Spot along = render::unit({(v.x / largest).to_double(), (v.y / largest).to_double()});
         return along.x < 0 || (along.x == 0 && along.y < 0) ? -1.0 * along : along;

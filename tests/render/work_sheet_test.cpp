@@ -84,7 +84,7 @@ TEST(TerminalTable, HasEveryPartOfARelativeMotion) {
     const Solution& solution = tests::example("moving_frame");
     const std::string table = results_table(solution, Language::en);
     std::size_t parts = 0;
-    for_each_sought(solution, [&](const Quantity& quantity, const auto& found) {
+    for_each_sought(solution, [&](const Quantity& quantity, const auto& found, const auto& /*of*/) {
         if constexpr (std::is_same_v<std::decay_t<decltype(found)>, Recorded<Vector>>) {
             if (!found || quantity.part == Quantity::Part::whole) return;
             const Unit unit = unit_of(unit_kind_of(quantity, solution.mechanism), solution.mechanism.units);
