@@ -36,6 +36,10 @@ public:
 private:
     std::string in(const Words& words) const { return kinegraph::in(words, language_); }
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
+    void announce(const Words& words) {
+        say(words);
+        items_.back().announces = true;
+    }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
     const std::string& body() const { return mechanism_.body(motion_.query.observer).name; }
     const std::string& point() const { return mechanism_.point(motion_.query.point).name; }
@@ -67,7 +71,7 @@ private:
                       mechanism_.point(apart_.towards).name));
         set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) +
             upright(",  ") + equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
-        say({lang::equations::their_unit_vectors_change_by_poisson});
+        announce({lang::equations::their_unit_vectors_change_by_poisson});
         const auto rate = [](const char* of) {
             return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"),
                                      upright("d") + Formula::letter("t"));
@@ -97,7 +101,7 @@ private:
                  upright(written(length(each.value)) + " " + unit.symbol)});
     }
     void write_transport() {
-        say(Words(lang::equations::the_transport_of_the_motion, point(), body(), origin()));
+        announce(Words(lang::equations::the_transport_of_the_motion, point(), body(), origin()));
         std::vector<std::vector<Formula>> rows{{upright(in({lang::equations::term})), upright(""),
                                                 upright("(x" + in({lang::notation::semicolon}) + "y)"),
                                                 upright(in({lang::common::magnitude}))}};
@@ -136,7 +140,7 @@ private:
                      upright(amount_of(std::copysign(size, sense.to_double()), kind)));
     }
     void write_seen() {
-        say({lang::equations::in_the_moving_axes_whose_unit});
+        announce({lang::equations::in_the_moving_axes_whose_unit});
         const Vector x = axis();
         const auto line = [&](int dots, const Recorded<Vector>& along, const Recorded<Vector>& across,
                               QuantityKind kind) {

@@ -146,7 +146,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
             case EquationItem::Kind::heading: break;
             case EquationItem::Kind::words:
                 add(paragraph_block(context, measure, formula(item.words)));
-                announced = item.words.ends_with(':');
+                announced = item.announces;
                 break;
             case EquationItem::Kind::formula: {
                 const Block& wide = natural_of(context, item, natural).front();

@@ -26,6 +26,11 @@ public:
         items_.push_back({EquationItem::Kind::heading, in(words, language_), {}, {}, is_apart});
     }
     void say(const Words& words) { say_text(in(words, language_)); }
+    /// A sentence that stays with the formula or the table after it.
+    void announce(const Words& words) {
+        say(words);
+        items_.back().announces = true;
+    }
     void say_text(std::string words) { items_.push_back({EquationItem::Kind::words, std::move(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({EquationItem::Kind::formula, {}, std::move(formula), {}}); }
     void table(std::vector<std::vector<Formula>> rows) {

@@ -18,7 +18,7 @@ void PositionText::write_positions() {
         for (std::size_t k = 0; k < loop.through.size(); ++k)
             if (k == 0 || loop.through[k] != loop.through[k - 1])
                 through += (through.empty() ? "" : "–") + pen_.as_letter(loop.through[k]);
-        list_.say(Words(lang::equations::loop_real_and_imaginary_part, std::to_string(i + 1), through));
+        list_.announce(Words(lang::equations::loop_real_and_imaginary_part, std::to_string(i + 1), through));
         list_.set(both_sides(loop, [&](const Side& each) { return pen_.side(each); }));
         for (const bool sine : {false, true})
             list_.set(
@@ -40,11 +40,11 @@ Formula PositionText::both_sides(const Equations::Loop& loop, const std::functio
 void PositionText::write_law(const Equations::Law& law) {
     const std::string joint = law.joint == none ? std::string() : mechanism_.joint(law.joint).name;
     if (law.kind == Equations::Law::Kind::rolling)
-        list_.say(Words(lang::equations::rolling_at_counted_from_the_drawn, joint));
+        list_.announce(Words(lang::equations::rolling_at_counted_from_the_drawn, joint));
     else if (law.kind == Equations::Law::Kind::gear)
-        list_.say(Words(lang::equations::gears_at_counted_from_the_drawn, joint));
+        list_.announce(Words(lang::equations::gears_at_counted_from_the_drawn, joint));
     else
-        list_.say({lang::equations::a_driver_of_what});
+        list_.announce({lang::equations::a_driver_of_what});
     list_.set(equal(pen_.law_sum(law, [&](LetterIndex each) { return Formula::letter("Delta") + pen_.name(each); }),
                     Formula::upright("0")));
 }
@@ -82,7 +82,7 @@ void PositionText::write_resultant(const Equations::Loop& loop, std::size_t inde
 }
 
 void PositionText::write_two_turns(const Equations::Loop& loop, std::size_t index) {
-    list_.say({lang::equations::with_what_is_known});
+    list_.announce({lang::equations::with_what_is_known});
     write_resultant(loop, index);
     const Side &first = loop.sides[at_index(loop.solved.first)], &second = loop.sides[at_index(loop.solved.second)];
     const bool same = first.on_the_right == second.on_the_right;
@@ -117,7 +117,7 @@ void PositionText::write_turn_and_slide(const Equations::Loop& loop) {
         return Difference{of.angle.letters, second.angle.letters, of.angle.quarters - second.angle.quarters};
     };
     const std::vector<Side> known = pen_.known_sides(loop);
-    list_.say({lang::equations::projected_square_to_the_slide});
+    list_.announce({lang::equations::projected_square_to_the_slide});
     write_sine(first, known, against);
     const int forth = first.on_the_right == second.on_the_right ? 1 : -1;
     std::vector<Signed> along;
@@ -172,7 +172,7 @@ void PositionText::write_sine(const Side& first, const std::vector<Side>& known,
 
 void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_t index) {
     const Side& first = loop.sides[at_index(loop.solved.first)];
-    list_.say({lang::equations::the_sliding_side_is_what});
+    list_.announce({lang::equations::the_sliding_side_is_what});
     write_resultant(loop, index);
     list_.set(equal(pen_.name(first.length), Formula::letter("p", pen_.numbered(index))) + Formula::upright(", ") +
               equal(pen_.angle(first.angle), Formula::letter("sigma", pen_.numbered(index))));
@@ -180,7 +180,7 @@ void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_
 
 void PositionText::write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index) {
     const Side &slide = loop.sides[at_index(loop.solved.first)], &arm = loop.sides[at_index(loop.solved.second)];
-    list_.say(Words(lang::equations::with_what_is_known_as_one_vector, pen_.spoken(arm.length)));
+    list_.announce(Words(lang::equations::with_what_is_known_as_one_vector, pen_.spoken(arm.length)));
     write_resultant(loop, index);
     const Formula p = Formula::letter("p", pen_.numbered(index)),
                   sigma = Formula::letter("sigma", pen_.numbered(index));

@@ -18,8 +18,8 @@ namespace kinegraph::render::closure {
 void RateText::write_velocities() {
     list_.heading({lang::common::velocities}, true);
     const std::string& unit = mechanism_.units.length.symbol;
-    list_.say(e_.loops.empty() ? Words(lang::equations::differentiating_the_laws_once_with_entries, unit)
-                               : Words(lang::equations::differentiating_the_loops_once_with_entries, unit));
+    list_.announce(e_.loops.empty() ? Words(lang::equations::differentiating_the_laws_once_with_entries, unit)
+                                    : Words(lang::equations::differentiating_the_loops_once_with_entries, unit));
     for (const Equations::Loop& loop : e_.loops) list_.set(derived(loop, false));
     for (const Equations::Law& law : e_.laws)
         list_.set(
@@ -29,7 +29,7 @@ void RateText::write_velocities() {
 
 void RateText::write_accelerations() {
     list_.heading({lang::common::accelerations}, true);
-    list_.say({lang::equations::differentiating_once_more_the_matrix});
+    list_.announce({lang::equations::differentiating_once_more_the_matrix});
     for (const Equations::Loop& loop : e_.loops) list_.set(derived(loop, true));
     for (const Equations::Block& block : e_.blocks) write_block(block, 2);
 }

@@ -44,8 +44,8 @@ bool ReachText::write_groups(const Equations::Reach& reach) {
     const std::vector<LetterIndex> others(letters.begin(), letters.end() - 1);
     const std::string point = mechanism_.point(reach.point).name;
     const BodyIndex observer = pen_.letter(own).against;
-    list_.say(Words(lang::equations::with_the_terms_in_apart, pen_.spoken(own),
-                    observer == none ? std::string("?") : mechanism_.body(observer).name));
+    list_.announce(Words(lang::equations::with_the_terms_in_apart, pen_.spoken(own),
+                         observer == none ? std::string("?") : mechanism_.body(observer).name));
     Group transport, relative, coriolis;
     std::vector<Signed> v_t, v_r;
     std::array<double, 2> vt{0, 0}, vr{0, 0};

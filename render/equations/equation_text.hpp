@@ -23,6 +23,7 @@ struct EquationItem {
     Formula formula{};
     std::vector<std::vector<Formula>> rows{};  ///< for a table, head first
     bool is_apart = false;                     ///< a heading that may begin a new page
+    bool announces = false;                    ///< a sentence that stays with what is after it
 };
 
 /// Empty if there are no equations.

@@ -144,6 +144,10 @@ public:
 
 private:
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
+    void announce(const Words& words) {
+        say(words);
+        items_.back().announces = true;
+    }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
 
     // --- the displacements drawn
@@ -168,7 +172,7 @@ private:
         }
         for (const Share& share : work.shares) rows.push_back(share_row(share, q));
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
-        say({lang::equations::ideal_pairs_do_no_work});
+        announce({lang::equations::ideal_pairs_do_no_work});
         set(Formula::letter("delta") + Formula::letter(notation(language_).work) + Formula::sign("=") + symbols(work) +
             Formula::sign("=") + upright("0"));
         set(numbers(work.total.to_double(), work, q) + Formula::sign("=") + upright("0"));
@@ -283,9 +287,9 @@ private:
         const bool all =
             std::all_of(found_.efforts.begin(), found_.efforts.end(), [](const auto& each) { return each.value; });
         if (all)
-            say(found_.freedoms.size() > 1
-                    ? Words(lang::equations::as_the_coordinates_are_independent_every)
-                    : Words(lang::equations::as_is_arbitrary_the_bracket_vanishes, spoken(found_.freedoms.front())));
+            announce(found_.freedoms.size() > 1 ? Words(lang::equations::as_the_coordinates_are_independent_every)
+                                                : Words(lang::equations::as_is_arbitrary_the_bracket_vanishes,
+                                                        spoken(found_.freedoms.front())));
         for (const Displacements::Effort& effort : found_.efforts) {
             const Formula symbol = force(symbol_of(effort.given));
             if (effort.value) {
@@ -309,7 +313,7 @@ private:
         bool said = false;
         for (const Displacements::Effort& effort : found_.efforts) {
             if (!effort.ratio) continue;
-            if (!std::exchange(said, true)) say({lang::equations::set_to_zero});
+            if (!std::exchange(said, true)) announce({lang::equations::set_to_zero});
             set(force(symbol_of(effort.given)) + Formula::sign("=") + upright(amount_of(effort.given, *effort.ratio)));
         }
     }
