@@ -103,7 +103,7 @@ private:
             area.push_back({edge.back().x, behind});
             area.push_back({edge.front().x, behind});
         }
-        figure.marks.emplace_back(GroupBegin{"link", legal_id("contact-" + name(of)), name(of), {}, none});
+        figure.marks.emplace_back(GroupBegin{"link", GroupId("contact", legal_id(name(of))), name(of), {}, none});
         figure.marks.emplace_back(tinted(filled(area, colour.tint)));
         figure.marks.emplace_back(polyline(edge, {2 * theme_.outline, colour.line, {}, true}));
         figure.marks.emplace_back(GroupEnd{});
@@ -228,7 +228,7 @@ private:
 
     void draw_heights(Figure& figure, double half, double high) {
         figure.marks.emplace_back(GroupBegin{"vector",
-                                             "pressure-p_0",
+                                             GroupId("pressure", "p_0"),
                                              "p_0",
                                              {{"data-name", "p_0"},
                                               {"data-value", shortest(found_.greatest)},

@@ -19,7 +19,7 @@ using std::numbers::pi;
 void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, double value, const std::string& unit,
                  Colour colour) {
     figure.marks.emplace_back(GroupBegin{"vector",
-                                         legal_id(figure.id + "-" + name),
+                                         id_in(figure, legal_id(name)),
                                          name,
                                          {{"data-name", name}, {"data-value", shortest(value)}, {"data-unit", unit}},
                                          none});
@@ -115,7 +115,7 @@ private:
         const ImpactSolution::Body& of = found_.bodies.at(i);
         const BodyColour& colour = theme_.body(problem_.bodies.at(i).body);
         const Pen outline{2 * theme_.outline, colour.line, {}, true};
-        figure.marks.emplace_back(GroupBegin{"link", legal_id(figure.id + "-" + body(i).name), body(i).name, {}, none});
+        figure.marks.emplace_back(GroupBegin{"link", id_in(figure, legal_id(body(i).name)), body(i).name, {}, none});
         Spot aside = spot(of.centre);
         if (of.fixed) {
             draw_ground(figure, i == 0 ? normal_ : -1 * normal_);

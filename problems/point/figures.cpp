@@ -58,7 +58,7 @@ protected:
         if (length(reach) < 0.3) return;
         figure_.marks.emplace_back(
             GroupBegin{"vector",
-                       legal_id(figure_.id + "-" + data_name),
+                       id_in(figure_, legal_id(data_name)),
                        data_name,
                        {{"data-name", data_name}, {"data-value", shortest(value)}, {"data-unit", unit}},
                        none});
@@ -153,7 +153,7 @@ private:
         std::vector<Spot> spots;
         for (const auto& each : found_.course) spots.push_back(spot_of(each.place, scale_));
         figure_.marks.emplace_back(
-            GroupBegin{"curve", figure_.id + "-path", problem_.point, {{"data-name", problem_.point}}, none});
+            GroupBegin{"curve", id_in(figure_, "path"), problem_.point, {{"data-name", problem_.point}}, none});
         figure_.marks.emplace_back(polyline(spots, {2 * theme_.outline, path().line, {}, true}));
         figure_.marks.emplace_back(GroupEnd{});
         for (const std::size_t i : ticks(spots.size())) figure_.marks.emplace_back(disc(spots[i], 0.55, path().line));
@@ -246,7 +246,7 @@ public:
         figure_ = begun("velocity", "hodograph", {lang::common::hodograph}, scale, unit.symbol, context_.language);
         std::vector<Spot> curve;
         for (const auto& each : found_.course) curve.push_back(spot_of(each.velocity, si * scale));
-        figure_.marks.emplace_back(GroupBegin{"curve", "hodograph-path", "v", {{"data-name", "v"}}, none});
+        figure_.marks.emplace_back(GroupBegin{"curve", GroupId("hodograph", "path"), "v", {{"data-name", "v"}}, none});
         figure_.marks.emplace_back(polyline(curve, {theme_.outline, speeds().line, dashes(), false}));
         figure_.marks.emplace_back(GroupEnd{});
         for (const std::size_t i : ticks(curve.size())) figure_.marks.emplace_back(disc(curve[i], 0.55, speeds().line));

@@ -103,8 +103,8 @@ private:
     void draw_body(std::size_t position) {
         const BodyColour& colour = theme_.body(BodyIndex(position + 1));
         const Spot a = place(position, 0), b = place(position, 1);
-        figure_.marks.emplace_back(GroupBegin{
-            "link", figure_.id + "-" + std::to_string(position + 1), std::to_string(position + 1), {}, none});
+        figure_.marks.emplace_back(
+            GroupBegin{"link", id_in(figure_, std::to_string(position + 1)), std::to_string(position + 1), {}, none});
         figure_.marks.emplace_back(line(a, b, {theme_.link, colour.line, {}, true}));
         for (const Spot pin : {a, b})
             figure_.marks.emplace_back(ring(pin, 1.2, theme_.paper, {theme_.outline, colour.line, {}, false}));

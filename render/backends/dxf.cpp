@@ -203,7 +203,8 @@ public:
 
 private:
     struct Group {
-        std::string_view layer, id;
+        std::string_view layer;
+        std::string id;
     };
 
     static int brightness(Colour c) { return (299 * c.red + 587 * c.green + 114 * c.blue) / 1000; }
@@ -212,7 +213,7 @@ private:
         Group inner = groups_.empty() ? Group{sheet_layer, ""} : groups_.back();
         for (const auto& [cls, layer] : layers_by_class)
             if (group.cls == cls) inner.layer = layer;
-        if (!group.id.empty()) inner.id = group.id;
+        if (!group.id.empty()) inner.id = group.id.text();
         groups_.push_back(inner);
     }
     std::string_view layer() const { return groups_.empty() ? sheet_layer : groups_.back().layer; }

@@ -485,7 +485,7 @@ private:
     void write(const GroupBegin& group) {
         out_.begin("g");
         if (!group.cls.empty()) out_.attribute("class", well_formed(group.cls));
-        if (!group.id.empty()) out_.attribute("id", well_formed(group.id));
+        if (!group.id.empty()) out_.attribute("id", well_formed(group.id.text()));
         for (const auto& [name, value] : group.attributes) out_.attribute(name, well_formed(value));
         statement(group.statement, true);
         holds(group.holds);

@@ -118,12 +118,12 @@ public:
             } else if (groups.empty() || groups.back()->id.empty()) {
                 continue;
             } else if (const auto* axis = std::get_if<Axis>(&mark)) {
-                add(axis->tail, groups.back()->id + "-tail");
-                add(axis->tip, groups.back()->id + "-tip");
+                add(axis->tail, groups.back()->id.text() + "-tail");
+                add(axis->tip, groups.back()->id.text() + "-tip");
             } else if (const auto* path = std::get_if<Path>(&mark)) {
                 const bool marked = groups.back()->cls == "joint" || groups.back()->cls == "centre";
                 if (const ArcTo* circle = marked ? whole_circle(*path) : nullptr)
-                    add(circle->centre, groups.back()->id);
+                    add(circle->centre, groups.back()->id.text());
             }
         }
     }
@@ -255,7 +255,7 @@ public:
             if (const auto* path = std::get_if<Path>(&marks[i])) {
                 write(*path);
             } else if (const auto* group = std::get_if<GroupBegin>(&marks[i])) {
-                const std::string& name = group->title.empty() ? group->id : group->title;
+                const std::string name = group->title.empty() ? group->id.text() : group->title;
                 if (!name.empty()) text_ += "% " + group->cls + (group->cls.empty() ? "" : ": ") + comment(name) + "\n";
             } else if (std::holds_alternative<TextMark>(marks[i])) {
                 const LiveLine line = live_line(marks.subspan(i));

@@ -253,12 +253,8 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
         draw_strip(page.marks, context, format, signature, index, count);
     page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()), std::make_move_iterator(marks.end()));
     // The mark of a point's label carries the name in the file, not the typeset one.
-    std::map<std::string, std::string> names;
-    for (const NamedPoint& point : context.solution.mechanism.points)
-        names.emplace(plain(typeset(Symbol{Symbol::Letter::point, point.name, ""}, context.language)), point.name);
     for (Mark& mark : page.marks)
-        if (auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
-            if (const auto found = names.find(text->words); found != names.end()) text->words = found->second;
+        if (auto* text = std::get_if<TextMark>(&mark); text && !text->in_file.empty()) text->words = text->in_file;
     return page;
 }
 

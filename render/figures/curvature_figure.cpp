@@ -242,7 +242,7 @@ private:
     void draw_circle(const Round& round, const Pen& pen, const char* what, StatementIndex statement) {
         const std::size_t first = sketch_.construction.size();
         sketch_.construction.emplace_back(
-            GroupBegin{what, "", "", {}, statement, {Form::circle, {held("pole"), held(what)}}});
+            GroupBegin{what, {}, "", {}, statement, {Form::circle, {held("pole"), held(what)}}});
         draw_arcs(round, pen);
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, statement);
@@ -395,7 +395,7 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
                            .names_stay_in_room = true};
     const Figure blank = begun(context, {FigureKind::curvature, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, blank.id + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id);
         CurvatureSketch drawn(sketch, found, extent);
         drawn.draw();
         Figure figure = sketch.finish(blank, "m");

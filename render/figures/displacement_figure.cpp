@@ -176,7 +176,7 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
                            .names_stay_in_room = true};
     const Figure blank = begun(context, {FigureKind::displacements, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, displaced, trial.scale, blank.id + "-");
+        Sketch sketch(subject, displaced, trial.scale, blank.id);
         draw_in_grey(sketch);
         const double reach = std::clamp(0.4 * sketch.size(), 12.0, 40.0);
         const double scale = choose_scale(longest, 0, reach, reach, std::nullopt);

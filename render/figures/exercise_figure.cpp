@@ -64,7 +64,8 @@ private:
             if (sketch_.subject.shows(point) || !contains(near, at) || shows_another_at(at)) continue;
             sketch_.construction.emplace_back(ring(at, radius, sketch_.theme.text, sketch_.thin()));
             clutter_.add(at - Spot{radius, 0}, at + Spot{radius, 0});
-            sketch_.add_label(sketch_.name_of_point(point), sketch_.theme.text, at, radius + 0.8);
+            sketch_.add_label(sketch_.name_of_point(point), sketch_.theme.text, at, radius + 0.8).in_file =
+                mechanism_.point(point).name;
         }
     }
     bool shows_another_at(Spot at) const {
@@ -238,9 +239,9 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     return figure;
 }
 
-/// Ids of the dimensions that leave the area.
-std::set<std::string> dimensions_outside(const Figure& figure, const std::optional<Box>& within) {
-    std::set<std::string> outside;
+/// The dimensions that leave the area.
+std::set<GroupId> dimensions_outside(const Figure& figure, const std::optional<Box>& within) {
+    std::set<GroupId> outside;
     if (!within) return outside;
     const Box place{figure.origin + within->min, figure.origin + within->max};
     for (std::size_t i = 0; i < figure.marks.size(); ++i) {
@@ -273,13 +274,13 @@ Figure fitted_exercise(const DrawingContext& of, const Ground& ground) {
     Dimensioning wish{all, all};
     for (int round = 0; round < most_rounds; ++round) {
         Figure figure = drawn(context, subject, ground, wish);
-        std::set<std::string> covered = covered_dimensions(figure, context.fonts);
+        std::set<GroupId> covered = covered_dimensions(figure, context.fonts);
         covered.merge(dimensions_outside(figure, ground.within));
         const bool fits = figure.box.width() <= ground.room.x && figure.box.height() <= ground.room.y;
         if (covered.empty() && (fits || ground.within)) return figure;
         if (covered.empty()) break;
         // A dimension that a name covers is tried again after the names.
-        for (const std::string& each : covered)
+        for (const GroupId& each : covered)
             if (!wish.first.left_out.insert(each).second) wish.last.left_out.insert(each);
     }
     return drawn(context, subject, ground, none);

@@ -168,6 +168,7 @@ LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot a
             .clearance = clearance,
             .statement = statement,
             .names = {name},
+            .in_file = sketch.mechanism.point_named(name) ? name : "",
             .holds = at_place(place)};
 }
 
@@ -178,8 +179,7 @@ void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex 
             length(label.anchor - at) > near_a_line(sketch) / sketch.scale())
             continue;
         // The intersection coincides with a named point, not only on paper.
-        append(label.text, one_piece(" ≡ "));
-        append(label.text, own.text);
+        label.add_name(own.text);
         return;
     }
     sketch.centres.emplace_back(ring(at, 1.0, sketch.theme.paper, sketch.outline()));
@@ -994,7 +994,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                     .extent = has_length ? across(extent.own) : 0,
                     .least_shown = has_length ? (1 - 1e-9) * across(extent.own) / coarsest : 0},
                    [&](const Trial& trial) {
-                       Sketch sketch(subject, context, trial.scale, blank.id + "-");
+                       Sketch sketch(subject, context, trial.scale, blank.id);
                        const bool thin = FreeBodyDrawing(sketch, loads, body, forces).draw();
                        Figure figure = sketch.finish(blank, unit.symbol);
                        figure.scale = forces.per_millimetre;
@@ -1047,7 +1047,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                            .strict = wish.strict,
                            .exactly = wish.exactly};
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
+        Sketch sketch(subject, context, trial.scale, load.empty() ? "" : element_of("load", load));
         draw_in_colour(sketch, loads_that_act(loads));
         name_points(sketch);
         Clutter clutter;

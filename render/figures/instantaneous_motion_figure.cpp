@@ -252,18 +252,19 @@ private:
     }
 
     void draw_dot(Sketch& sketch, Spot at) const {
-        sketch.centres.emplace_back(GroupBegin{
-            "centre",
-            sketch.id("centre",
-                      solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
-            plain(name_of_centre(sketch).text),
-            {},
-            act_.centre_statement,
-            Holds{Form::at, {of_centre()}}});
+        const std::vector<Body>& bodies = solution_.mechanism.bodies;
+        LabelRequest label = name_of_centre(sketch);
+        GroupBegin group{"centre",
+                         sketch.id("centre", bodies[0].name + "." + bodies[at_index(act_.body)].name),
+                         plain(label.text),
+                         {},
+                         act_.centre_statement,
+                         Holds{Form::at, {of_centre()}}};
+        group.cited_as = label.names.front();
+        sketch.centres.emplace_back(std::move(group));
         sketch.centres.emplace_back(tinted(disc(at, 1.15, context_.theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
         sketch.centres.emplace_back(GroupEnd{});
-        LabelRequest label = name_of_centre(sketch);
         label.holds = {Form::at, {of_centre()}};
         label.anchor = at;
         label.clearance = 1.7;

@@ -211,8 +211,7 @@ private:
         const Colour fill = is_driven(index) ? theme_.text : theme_.paper;
         const Spot across{-along.y, along.x};
         std::vector<Mark>& marks = figure.marks;
-        marks.emplace_back(
-            GroupBegin{"joint", figure.id + "-" + legal_id(joint.name) + number_of(index), joint.name, {}});
+        marks.emplace_back(GroupBegin{"joint", id_in(figure, legal_id(joint.name) + number_of(index)), joint.name, {}});
         if (pair.has_guide() || pair.is_clamp()) {
             constexpr double longer = 1.7;
             const std::vector<Spot> corners = corners_about(at, longer * symbol_radius * along, symbol_radius * across);
@@ -234,7 +233,8 @@ private:
                                  .size = theme_.derived,
                                  .colour = theme_.text,
                                  .anchor = at,
-                                 .clearance = 2 * symbol_radius + 0.4});
+                                 .clearance = 2 * symbol_radius + 0.4,
+                                 .in_file = joint.name});
     }
     bool is_driven(JointIndex index) const {
         const Joint& joint = mechanism_.joint(index);

@@ -200,7 +200,7 @@ private:
             done.push_back(tip);
             tips.push_back(work_binding(*each.entry));
             figure.marks.emplace_back(
-                GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {pole_binding(), tips.back()}}});
+                GroupBegin{"ray", {}, "", {}, each.motion, {Form::segment, {pole_binding(), tips.back()}}});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
@@ -221,7 +221,7 @@ private:
             const BodyColour colour = context_.theme.colour_of(entry.body);
             const Holds holds{Form::arrow, {work_binding(entry), work_binding(entry)}};
             figure.marks.emplace_back(GroupBegin{"force",
-                                                 figure.id + "-" + legal_id(name),
+                                                 id_in(figure, legal_id(name)),
                                                  name + " = " + shortest(placed_[i].value) + " " + force_.symbol,
                                                  {{"data-name", name},
                                                   {"data-value", shortest(placed_[i].value)},

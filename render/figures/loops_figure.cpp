@@ -145,7 +145,7 @@ Figure loops_figure(const DrawingContext& context, double room_x, double room_y,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, "loops-");
+        Sketch sketch(subject, context, trial.scale, "loops");
         draw_in_grey(sketch);
         std::set<std::string> angles;
         std::vector<Spot> tails;

@@ -86,7 +86,7 @@ void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::ve
     const Pen pen{1.2 * theme.outline, theme.text, is_fixed ? std::vector<double>{} : dashes(), false};
     const auto pieces = pieces_within(room_of(way, mechanism), spots_of(way, sketch.scale()));
     sketch.construction.emplace_back(
-        GroupBegin{"centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
+        GroupBegin{"centrode", {}, "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::vector<Spot>& spots = pieces[i];
         sketch.construction.emplace_back(polyline(spots, pen));
@@ -131,7 +131,7 @@ void draw_position(Sketch& sketch, const Way& way) {
     const Pen thin{sketch.theme.thin, sketch.theme.skeleton, {}, false};
     for (const BodyIndex body : sketch.mechanism.moving_bodies()) {
         sketch.construction.emplace_back(
-            GroupBegin{"position", "", "", {{"data-name", sketch.mechanism.body(body).name}}, none});
+            GroupBegin{"position", {}, "", {{"data-name", sketch.mechanism.body(body).name}}, none});
         for (Path& outline : moved_outlines(sketch, body, way.bodies.at(at_index(body)), thin))
             sketch.construction.emplace_back(std::move(outline));
         sketch.construction.emplace_back(GroupEnd{});
@@ -152,13 +152,13 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanis
         if (way.outline != none) {
             const std::vector<Spot> spots = spots_of(way, sketch.scale());
             sketch.tints.emplace_back(tinted(filled(spots, theme.colour_of(way.outline).tint)));
-            sketch.bodies.emplace_back(GroupBegin{"path", "", "", {{"data-name", way.name}}, none});
+            sketch.bodies.emplace_back(GroupBegin{"path", {}, "", {{"data-name", way.name}}, none});
             sketch.bodies.emplace_back(polyline(spots, sketch.pen_of(way.outline, theme.vector), true));
             sketch.bodies.emplace_back(GroupEnd{});
             continue;
         }
         sketch.construction.emplace_back(
-            GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
+            GroupBegin{way.is_path ? "path" : "position", {}, "", {{"data-name", way.name}}, none});
         sketch.construction.emplace_back(polyline(
             spots_of(way, sketch.scale()), way.is_path && !way.is_thin ? Pen{theme.outline, theme.accent, {}, false}
                                                                        : Pen{theme.thin, theme.skeleton, {}, false}));
@@ -438,7 +438,7 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
                            .names_stay_in_room = true};
     const Figure blank = begun(context, {what.figure});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, blank.id + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id);
         draw_in_grey(sketch);
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
         const double scale = longest > 0 ? choose_scale(longest, 0, reach, reach, std::nullopt) : 1;

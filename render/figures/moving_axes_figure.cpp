@@ -163,7 +163,7 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
                            .names_stay_in_room = true};
     const Figure blank = begun(context, {FigureKind::moving_axes, static_cast<int>(index)});
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, blank.id + "-");
+        Sketch sketch(subject, context, trial.scale, blank.id);
         draw_in_grey(sketch);
         const double reach = std::clamp(0.35 * sketch.size(), 12.0, 32.0);
         const double velocity_scale = speed > 0 ? choose_scale(speed, 0, reach, reach, std::nullopt) : 1;

@@ -155,7 +155,7 @@ private:
     void axis(const char* cls, Spot from, Spot to, const Range& range, const std::string& unit) {
         figure_.marks.emplace_back(
             GroupBegin{cls,
-                       id_ + "-" + cls,
+                       id_in(figure_, cls),
                        "",
                        {{"data-from", shortest(range.least)}, {"data-to", shortest(range.most)}, {"data-unit", unit}},
                        none});
@@ -213,7 +213,7 @@ private:
             const double from = std::clamp(in_x(std::min(each.from, each.to)), x_.least, x_.most);
             const double to = std::clamp(in_x(std::max(each.from, each.to)), x_.least, x_.most);
             figure_.marks.emplace_back(
-                GroupBegin{"separation", "", "", {{"data-from", shortest(from)}, {"data-to", shortest(to)}}, none});
+                GroupBegin{"separation", {}, "", {{"data-from", shortest(from)}, {"data-to", shortest(to)}}, none});
             const std::vector<Spot> corners{at(from, y_.least), at(to, y_.least), at(to, y_.most), at(from, y_.most)};
             figure_.marks.emplace_back(tinted(filled(corners, theme_.body(BodyIndex(1)).tint)));
             figure_.marks.emplace_back(GroupEnd{});
@@ -225,7 +225,7 @@ private:
         const auto upright = [&](double coordinate, const char* cls, const Pen& pen) {
             const double x = in_x(coordinate);
             if (x < x_.least - 1e-9 || x > x_.most + 1e-9) return;
-            figure_.marks.emplace_back(GroupBegin{cls, "", "", {{"data-value", shortest(x)}}, none});
+            figure_.marks.emplace_back(GroupBegin{cls, {}, "", {{"data-value", shortest(x)}}, none});
             figure_.marks.emplace_back(line(at(x, y_.least), at(x, y_.most), pen));
             figure_.marks.emplace_back(GroupEnd{});
         };
@@ -256,7 +256,7 @@ private:
         const std::size_t column = columns_[curve];
         figure_.marks.emplace_back(
             GroupBegin{"curve",
-                       id_ + "-" + legal_id(table_.columns[column].name),
+                       id_in(figure_, legal_id(table_.columns[column].name)),
                        plain(name(curve)),
                        {{"data-name", table_.columns[column].name}, {"data-unit", y_unit_.symbol}},
                        none});

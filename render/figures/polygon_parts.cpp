@@ -274,7 +274,7 @@ private:
     void begin_group(const PolygonVector& vector, std::vector<Mark>& marks) {
         const std::string value = shortest(vector.value);
         marks.emplace_back(GroupBegin{"vector",
-                                      figure_.id + "-" + legal_id(vector.name),
+                                      id_in(figure_, legal_id(vector.name)),
                                       vector.name + " = " + value + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", value}}});
         figure_.axes.push_back({vector.name, vector.tail + vector.aside, vector.tip + vector.aside, ""});
@@ -358,13 +358,13 @@ private:
                     statement = vector.statement;
             const std::size_t first = figure_.marks.size();
             figure_.marks.emplace_back(GroupBegin{
-                "detail", "", heading_of_detail(detail.letter, context_.language), {}, statement, {}, detail.number});
+                "detail", {}, heading_of_detail(detail.letter, context_.language), {}, statement, {}, detail.number});
             figure_.marks.emplace_back(circle(detail.centre, radius, {theme_.thin, theme_.text, {}, false}));
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
             ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
             figure_.labels.back().detail = detail.number;
-            figure_.details.push_back({"", detail.letter, detail.centre, radius, 0, detail.number});
+            figure_.details.push_back({detail.letter, detail.centre, radius, 0, detail.number});
         }
     }
 
@@ -512,7 +512,8 @@ double radius_of(const Detail& detail) { return detail.magnification * detail.ra
 Figure blank_inset(const Figure& figure, const DrawingContext& context, const Detail& detail) {
     Figure inset;
     inset.data_figure = "detail";
-    inset.id = figure.id + "-detail-" + detail.letter;
+    inset.id = figure.id;
+    inset.detail = detail.letter;
     inset.caption = one_piece(heading_of_detail(detail.letter, context.language));
     inset.scale = detail.scale;
     inset.unit = figure.unit;
@@ -584,10 +585,7 @@ private:
         inset.move(best.x - inset.box.min.x, best.y - inset.box.min.y);
         const Spot centre = 0.5 * (inset.box.min + inset.box.max);
         for (DetailOn& each : figure_.details)
-            if (each.letter == shown.letter) {
-                each.id = inset.id;
-                each.scale = inset.scale;
-            }
+            if (each.letter == shown.letter) each.scale = inset.scale;
         figure_.marks.insert(figure_.marks.end(), inset.marks.begin(), inset.marks.end());
         figure_.axes.insert(figure_.axes.end(), inset.axes.begin(), inset.axes.end());
         figure_.details.insert(figure_.details.end(), inset.details.begin(), inset.details.end());
@@ -743,11 +741,7 @@ namespace {
 /// The details of a figure with new letters; `before`: number of letters in use. Nested details are last.
 std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::size_t before) {
     std::vector<DetailOn> anew = details;
-    for (DetailOn& each : anew) {
-        each.id.resize(each.id.size() - std::min(each.id.size(), each.letter.size()));
-        each.letter = roman(before + each.number);
-        each.id += each.letter;
-    }
+    for (DetailOn& each : anew) each.letter = roman(before + each.number);
     return anew;
 }
 
@@ -758,15 +752,14 @@ public:
         : figure_(figure), context_(context), was_(figure.details), is_(lettered_anew(figure.details, before)) {}
 
     void change() {
-        for (DrawnAxis& each : figure_.axes)
-            for (std::size_t i = 0; i < was_.size(); ++i)
-                if (each.detail == was_[i].letter) {
-                    each.detail = is_[i].letter;
-                    break;
-                }
+        for (DrawnAxis& each : figure_.axes) rename(each.detail);
         figure_.details = is_;
         for (Mark& mark : figure_.marks)
-            if (auto* group = std::get_if<GroupBegin>(&mark)) rename(*group);
+            if (auto* group = std::get_if<GroupBegin>(&mark)) {
+                rename(group->id.detail);
+                if (const DetailOn* detail = numbered(group->detail))
+                    group->title = heading_of_detail(detail->letter, context_.language);
+            }
         set_letters_anew();
     }
 
@@ -778,14 +771,11 @@ private:
         return found == is_.end() ? nullptr : &*found;
     }
 
-    void rename(GroupBegin& group) const {
-        if (const DetailOn* detail = numbered(group.detail))
-            group.title = heading_of_detail(detail->letter, context_.language);
-        for (std::size_t i = 0; i < was_.size(); ++i)
-            if (group.id == was_[i].id || group.id.starts_with(was_[i].id + "-")) {
-                group.id.replace(0, was_[i].id.size(), is_[i].id);
-                break;
-            }
+    /// The new letter instead of the old one.
+    void rename(std::string& letter) const {
+        const auto old =
+            std::find_if(was_.begin(), was_.end(), [&](const DetailOn& each) { return each.letter == letter; });
+        if (old != was_.end()) letter = is_[static_cast<std::size_t>(old - was_.begin())].letter;
     }
 
     /// A longer letter may need another position beside its circle, with or without a leader; a heading stays centred.

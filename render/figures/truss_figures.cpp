@@ -554,7 +554,7 @@ private:
             const std::string name = name_of(vector.symbol);
             const double value = tension_of(solution_, bar) / scene_.unit.si.to_double();
             figure.marks.emplace_back(GroupBegin{"vector",
-                                                 "cremona-" + legal_id(name),
+                                                 GroupId("cremona", legal_id(name)),
                                                  name,
                                                  {{"data-name", name}, {"data-value", shortest(value)}},
                                                  vector.statement});
@@ -616,7 +616,7 @@ private:
             }
         figure.marks.emplace_back(
             GroupBegin{"vector",
-                       "cremona-" + legal_id(name),
+                       GroupId("cremona", legal_id(name)),
                        name,
                        {{"data-name", name},
                         {"data-value", shortest(solution_.protocol.modulus_of(vector) / scene_.unit.si.to_double())}},
@@ -720,7 +720,7 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y,
                            .exactly = wish.exactly,
                            .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, "truss-");
+        Sketch sketch(subject, context, trial.scale, "truss");
         SpaceDiagram(sketch).draw();
         name_points(sketch);
         Figure figure = sketch.finish(begun(context, {FigureKind::truss}), "m");

@@ -106,7 +106,7 @@ private:
     void begin_axis(const char* cls, Spot from, Spot to, const Scaled& range, const std::string& unit) {
         figure_.marks.emplace_back(
             GroupBegin{cls,
-                       plot_.id + "-" + cls,
+                       id_in(figure_, cls),
                        "",
                        {{"data-from", shortest(range.least)}, {"data-to", shortest(range.most)}, {"data-unit", unit}},
                        none});
@@ -147,7 +147,7 @@ private:
     void draw_curve(std::size_t i) {
         const XyCurve& curve = plot_.curves[i];
         figure_.marks.emplace_back(GroupBegin{"curve",
-                                              plot_.id + "-" + legal_id(curve.id),
+                                              id_in(figure_, legal_id(curve.id)),
                                               plain(curve.name),
                                               {{"data-name", curve.id}, {"data-unit", plot_.y_unit}},
                                               none});

@@ -15,18 +15,23 @@ constexpr double notch_grace = 0.05;
 
 /// Makes names unique on a page. Two figures may show the same element, such as the mechanism and the mechanism with
 /// lines of action; in the second one its name begins with that of the figure, such as "mechanism-2".
-void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std::string>& names_on_page) {
-    const auto for_each_name = [&](auto look) {
-        for (Mark& mark : figure)
+void tell_apart(Figure& figure, std::set<std::string>& names_on_page) {
+    const auto for_each_id = [&](auto look) {
+        for (Mark& mark : figure.marks)
             if (auto* group = std::get_if<GroupBegin>(&mark); group && !group->id.empty()) look(group->id);
     };
     bool meets = false;
-    for_each_name([&](const std::string& id) { meets = meets || names_on_page.contains(id); });
-    std::string own = name;
-    for (int number = 2; names_on_page.contains(own); ++number) own = name + "-" + std::to_string(number);
-    for_each_name([&](std::string& id) {
-        if (meets) id = id == name ? own : own + "-" + id;
-        names_on_page.insert(id);
+    for_each_id([&](const GroupId& id) { meets = meets || names_on_page.contains(id.text()); });
+    const GroupId whole(figure.id);
+    GroupId own = whole;
+    for (int number = 2; names_on_page.contains(own.text()); ++number)
+        own.figure = figure.id + "-" + std::to_string(number);
+    for_each_id([&](GroupId& id) {
+        if (meets && id == whole)
+            id = own;
+        else if (meets)
+            id.shown_in = own.text();
+        names_on_page.insert(id.text());
     });
 }
 
@@ -189,7 +194,7 @@ void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale
                           Spot at, double loose, double spare) {
     constexpr double most_above_text = 36;
     const std::size_t index = band.placed->band;
-    marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
+    marks.emplace_back(GroupBegin{"band", {}, "", {{"data-question", contents_.bands.list[index].question}}});
     const bool has_text = band.layout.divided > 0, is_below = has_text && (band.above > 0 || band.layout.under > 0);
     double below = 0;
     DrawnFigures::ByBand& by_band = contents_.figures.by_band();
@@ -235,7 +240,7 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
                       corner.y + drawn.caption - box.min.y + std::min(0.5 * spare, most_below_caption)};
         drawn.figure.move(by.x, by.y);
         const std::size_t first = marks.size();
-        tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
+        tell_apart(drawn.figure, names_on_page_);
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());

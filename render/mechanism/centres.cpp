@@ -81,7 +81,9 @@ private:
     GroupBegin group(std::size_t c) const {
         const std::string& i = sketch_.mechanism.body(all_[c].first).name;
         const std::string& j = sketch_.mechanism.body(all_[c].second).name;
-        return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
+        GroupBegin group{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
+        group.cited_as = name_of(symbol(c));
+        return group;
     }
 
     /// Classifies each centre: near the mechanism, distant, or at infinity.
@@ -379,8 +381,7 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre) {
             };
             if (std::search(label.text.begin(), label.text.end(), name.begin(), name.end(), is_same) ==
                 label.text.end()) {
-                append(label.text, one_piece(" ≡ "));
-                append(label.text, name);
+                label.add_name(name);
             }
             return;
         }

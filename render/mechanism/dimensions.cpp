@@ -66,7 +66,8 @@ public:
 private:
     /// How a dimension is drawn, and the accepted price.
     struct Drawn {
-        std::string name, id;  // empty id: derived from the name by the sketch
+        std::string name;
+        GroupId id;  // empty: derived from the name by the sketch
         double free_enough;
     };
 
@@ -104,7 +105,7 @@ private:
     /// Draws the cheapest candidate, if it is free enough.
     bool draw_best(const std::vector<DimensionTrial>& trials, const ShapedLine& text, const std::array<Spot, 2>& ends,
                    Drawn as, const std::string& title, bool all) {
-        std::string& group = as.id;
+        GroupId& group = as.id;
         if (wish_.left_out.contains(group)) return false;
         const double free_enough = as.free_enough;
         const DimensionTrial* best = nullptr;
@@ -143,13 +144,13 @@ private:
                unit_of_length.symbol;
     }
     /// Independent of whether it is drawn before the names or after them.
-    std::string id_of(const std::string& name) {
-        std::string id = legal_id("dimension-" + name);
-        while (!ids_.insert(id).second) id += "_";
-        return id;
+    GroupId id_of(const std::string& name) {
+        std::string element = element_of("dimension", name);
+        while (!elements_.insert(element).second) element += "_";
+        return GroupId({}, std::move(element));
     }
     Drawn drawn_as(std::string name) {
-        std::string id = wish_.sought_far ? id_of(name) : "";
+        GroupId id = wish_.sought_far ? id_of(name) : GroupId();
         return {std::move(name), std::move(id), wish_.sought_far ? 10 : 2.2};
     }
     /// An angle has a single id, however often it is tried.
@@ -164,17 +165,17 @@ private:
     DimensionData data_;
     DimensionTrials trials_;
     DimensionRoom room_;
-    std::set<std::string> ids_;
+    std::set<std::string> elements_;
     std::map<const DimensionedAngle*, Drawn> drawn_angles_;
 };
 
 struct DimensionText {
     InkBox box;
-    std::string dimension;  // id of its group
+    GroupId dimension;
 };
 struct DimensionPath {
     const Path* path;
-    std::string dimension;
+    GroupId dimension;
 };
 
 }  // namespace
@@ -198,19 +199,19 @@ void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWi
     figure.move(-figure.box.min.x, -figure.box.min.y);
 }
 
-std::set<std::string> dimensions_of(const Figure& figure) {
-    std::set<std::string> ids;
+std::set<GroupId> dimensions_of(const Figure& figure) {
+    std::set<GroupId> ids;
     for (const Mark& mark : figure.marks)
         if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "dimension")
             ids.insert(group->id);
     return ids;
 }
 
-std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {
+std::set<GroupId> covered_dimensions(const Figure& figure, const Fonts& fonts) {
     InkMap others(figure.box);
     std::vector<DimensionText> texts;
     std::vector<DimensionPath> paths;
-    std::string dimension;  // dimension whose group is open
+    GroupId dimension;  // whose group is open
     int dimension_depth = 0, depth = 0;
     for (const Mark& mark : figure.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
@@ -233,7 +234,7 @@ std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& font
                 others.ink(*path);
         }
     }
-    std::set<std::string> covered;
+    std::set<GroupId> covered;
     for (const DimensionText& text : texts) {
         InkMap of_other_dimensions(figure.box);
         for (const DimensionPath& path : paths)

@@ -19,24 +19,28 @@ void name_points(Sketch& sketch) {
         if (!sketch.subject.shows(p) || named[at_index(p)]) continue;
         const Spot at = sketch.spot(p);
         const double clearance = sketch.measures.pin_radius + 0.8;
-        RichText text;
+        LabelRequest names;
         for (const PointIndex q : indices(count, p)) {
             if (!sketch.subject.shows(q) || named[at_index(q)] || length(sketch.spot(q) - at) > same_place) continue;
             named[at_index(q)] = true;
-            if (!text.empty()) append(text, one_piece(" ≡ "));
-            append(text, sketch.name_of_point(q));
+            if (names.text.empty()) {
+                names.text = sketch.name_of_point(q);
+                names.in_file = sketch.mechanism.point(q).name;
+            } else {
+                names.add_name(sketch.name_of_point(q));
+            }
         }
         const auto there = std::find_if(sketch.labels.begin(), sketch.labels.end(), [&](const LabelRequest& label) {
             return label.balloon == 0 && !label.toward && coincide(label.anchor, at);
         });
         if (there != sketch.labels.end()) {
             // A point that coincides with an instant centre: "B ≡ P_13".
-            append(text, one_piece(" ≡ "));
-            append(text, there->text);
-            there->text = std::move(text);
+            names.add_name(there->text);
+            there->text = std::move(names.text);
+            there->in_file.clear();
             there->clearance = std::max(there->clearance, clearance);
         } else {
-            sketch.add_label(std::move(text), sketch.theme.text, at, clearance);
+            sketch.add_label(std::move(names.text), sketch.theme.text, at, clearance).in_file = names.in_file;
         }
     }
 }

@@ -9,11 +9,11 @@
 
 namespace kinegraph::render::drawing {
 
-std::string Sketch::id(std::string_view kind, std::string_view name) {
-    std::string wanted = prefix_ + std::string(kind) + (kind.empty() ? "" : "-") + legal_id(name);
+GroupId Sketch::id(std::string_view kind, std::string_view name) {
+    std::string element = element_of(kind, name);
     // Different names can give the same id, such as "a b" and "a_x20_b".
-    while (!ids_.insert(wanted).second) wanted += "_";
-    return wanted;
+    while (!elements_.insert(element).second) element += "_";
+    return GroupId(figure_, std::move(element));
 }
 
 RichText Sketch::name_of_point(PointIndex point) const {

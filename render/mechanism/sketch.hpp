@@ -28,14 +28,15 @@ struct Layers {
 
 class Sketch : public Layout, public Layers {
 public:
-    Sketch(const Subject& of, const DrawingContext& drawing, double metres_per_millimetre, std::string prefix)
-        : Layout(of, drawing.theme, metres_per_millimetre), context(drawing), prefix_(std::move(prefix)) {}
+    /// `figure`: in whose name its elements have their ids; empty: in that of the mechanism, as on any figure.
+    Sketch(const Subject& of, const DrawingContext& drawing, double metres_per_millimetre, std::string figure)
+        : Layout(of, drawing.theme, metres_per_millimetre), context(drawing), figure_(std::move(figure)) {}
 
     const DrawingContext& context;
     std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow; the ground symbol turns away from these
 
-    /// A legal id that is unique within the figure.
-    std::string id(std::string_view kind, std::string_view name);
+    /// An id that is unique within the figure.
+    GroupId id(std::string_view kind, std::string_view name);
     RichText name_of_point(PointIndex point) const;
     /// Requests a label beside a place, in the usual size. Returns the request, for further settings.
     LabelRequest& add_label(RichText text, Colour colour, Spot at, double clearance, StatementIndex statement = none);
@@ -57,8 +58,8 @@ public:
                bool strict = false) const;
 
 private:
-    std::string prefix_;
-    std::set<std::string> ids_;
+    std::string figure_;
+    std::set<std::string> elements_;
 };
 
 // The whole mechanism.
@@ -99,9 +100,9 @@ Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);
 void draw_equivalent_linkages(Sketch& sketch);
 /// Which given data become dimensions, and where they may stand.
 struct DimensionWish {
-    bool all = false;                  ///< draw all, even where no place is free
-    std::size_t most = 8;              ///< maximum number, unless `all`
-    std::set<std::string> left_out{};  ///< ids of groups that are not drawn
+    bool all = false;              ///< draw all, even where no place is free
+    std::size_t most = 8;          ///< maximum number, unless `all`
+    std::set<GroupId> left_out{};  ///< groups that are not drawn
     bool sought_far = false;      ///< extended search: further out, across links and with the text outside, rather than
                                   ///< leave a dimension out
     std::optional<Box> within{};  ///< the available part of the paper, mm from the origin of coordinates
@@ -113,10 +114,10 @@ void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
 /// stay within the room.
 void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish = {});
 /// Ids of the dimensions of a finished figure.
-std::set<std::string> dimensions_of(const Figure& figure);
+std::set<GroupId> dimensions_of(const Figure& figure);
 /// Ids of the dimensions whose text is crossed by a foreign line, such as the leader of a label placed later. Of two
 /// dimensions that collide one is returned.
-std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
+std::set<GroupId> covered_dimensions(const Figure& figure, const Fonts& fonts);
 /// A given number: six significant digits without trailing zeros; four if the value is not round.
 std::string given_number(double value, Language language);
 

@@ -1,10 +1,18 @@
 // Operations common to all figures: moving, ids, measured lengths. Independent of mechanics and sheets.
 #include "render/page/figure.hpp"
 
+#include <utility>
+
 #include "render/page/shapes.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::render {
+
+void LabelRequest::add_name(const RichText& other) {
+    append(text, one_piece(" ≡ "));
+    append(text, other);
+    in_file.clear();
+}
 
 Figure Figure::empty_at(double scale) {
     Figure figure;
@@ -23,14 +31,19 @@ void Figure::move(double dx, double dy) {
         shift(axis.tail);
         shift(axis.tip);
     }
-    for (DetailOn& detail : details) shift(detail.circle);
+    for (DetailOn& each : details) shift(each.circle);
     shift(box.min);
     shift(box.max);
     shift(origin);
 }
 
+GroupId id_in(const Figure& figure, std::string element) {
+    return GroupId(figure.id, std::move(element), figure.detail);
+}
+
 GroupBegin group_of(const Figure& figure, bool to_scale, StatementIndex statement) {
-    GroupBegin group{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.data_figure}}, statement};
+    GroupBegin group{
+        "figure", id_in(figure, {}), plain(figure.caption), {{"data-figure", figure.data_figure}}, statement};
     if (!to_scale) return group;
     group.attributes.emplace_back("data-scale", shortest(figure.scale));
     group.attributes.emplace_back("data-unit", figure.unit);
@@ -44,6 +57,10 @@ std::optional<Measured> measured_on(const Figure& figure, const std::string& nam
         if (axis.name == name && (!longest || whole > longest->millimetres)) longest = Measured{whole, axis.detail};
     }
     return longest;
+}
+
+std::string element_of(std::string_view kind, std::string_view name) {
+    return std::string(kind) + (kind.empty() ? "" : "-") + legal_id(name);
 }
 
 std::string legal_id(std::string_view name) {

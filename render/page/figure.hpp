@@ -31,15 +31,18 @@ struct LabelRequest {
         toward{};            ///< for vectors and lines: they run from anchor toward this; the label stands beside them
     double clearance = 2.2;  ///< distance from the anchor to the nearest ink, mm
     bool along = false;      ///< turned to run along the line, as direction marks are
-    std::string id{};        ///< SVG id of the label's group; may be empty
     double balloon = 0;      ///< radius of a circle round the text (body numbers), mm; 0: none
     StatementIndex statement =
         none;  ///< the statement of the solution that draws the named object; none: present from the beginning
     std::vector<std::string> names{};       ///< see TextMark::names
+    std::string in_file{};                  ///< see TextMark::in_file
     std::size_t detail = 0;                 ///< see TextMark::detail
     std::vector<double> dashes{};           ///< line kind of the balloon, mm
     Holds holds{};                          ///< see Path::holds
     std::optional<BalloonGround> ground{};  ///< fill of the balloon; none: never filled
+
+    /// Of another thing at the same place: "B ≡ P_13".
+    void add_name(const RichText& other);
 };
 
 /// The axis of a vector that is drawn to scale, on paper.
@@ -55,7 +58,7 @@ struct Measured {
 };
 /// A region of a figure that is drawn again beside it, enlarged. A circle marks the region.
 struct DetailOn {
-    std::string id, letter;
+    std::string letter;
     Spot circle;
     double radius = 0;
     double scale = 0;        ///< in the figure's unit per mm; 0: it is not drawn
@@ -77,7 +80,8 @@ struct FigureTraits {
 struct Figure {
     FigureTraits traits;
     std::string data_figure;           ///< text of its attribute data-figure: mechanism, centres, velocity, …
-    std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
+    std::string id;                    ///< of its group: "velocity", "velocity-E-2"
+    std::string detail;                ///< the letter of the detail of that figure which it is; empty: the figure
     RichText caption;                  ///< without number and scale
     double scale = 1;                  ///< units of `unit` per mm
     std::string unit;                  ///< SI unit of the data-value attributes: "m", "m/s", "m/s²"
@@ -104,6 +108,8 @@ struct Figure {
     static Figure empty_at(double scale);
 };
 
+/// The id of an element of it.
+GroupId id_in(const Figure& figure, std::string element);
 /// Opens its group, with scale and unit if it is `to_scale`.
 GroupBegin group_of(const Figure& figure, bool to_scale = true, StatementIndex statement = none);
 
@@ -113,5 +119,7 @@ std::optional<Measured> measured_on(const Figure& figure, const std::string& nam
 
 /// Makes an SVG id from a user's name: every byte of UTF-8 except letters, digits, '-', '.', '_' becomes _xHH_.
 std::string legal_id(std::string_view name);
+/// A link, a joint, … by its name in the file: "link-2".
+std::string element_of(std::string_view kind, std::string_view name);
 
 }  // namespace kinegraph::render

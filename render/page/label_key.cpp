@@ -90,16 +90,14 @@ std::size_t LabelKey::end_of_line(const std::vector<Word>& words, std::size_t fi
 /// `origin`: of its letters. `looks`: the label itself, or the label whose number it is.
 void LabelKey::set_word(std::vector<Mark>& marks, const Word& word, const LabelRequest& looks, Spot origin) {
     const std::size_t own = marks.size();
-    const bool grouped = word.label && !word.label->id.empty();
-    if (grouped) marks.emplace_back(GroupBegin{"", word.label->id, "", {}});
     if (word.ring > 0) {
         const Spot middle = origin + Spot{word.shaped.width / 2, (word.shaped.descent - word.shaped.ascent) / 2};
         marks.emplace_back(circle(middle, word.ring, {ring_pen, looks.colour, {}, false}));
     }
     const std::size_t text = marks.size();
     set_text(marks, word.shaped, origin, looks.colour, word.label ? "label" : "text");
+    if (word.label) std::get<TextMark>(marks[text]).in_file = word.label->in_file;
     for (std::size_t k = text + 1; k < marks.size(); ++k) std::get<TextMark>(marks[k]).cls = "text";
-    if (grouped) marks.emplace_back(GroupEnd{});
     belong(marks, own, looks.statement);
 }
 

@@ -73,7 +73,6 @@ Path balloon_of(const LabelRequest& request, Spot centre, const Ground& ground) 
 void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped,
                const Ground& ground, Colour leaders) {
     const std::size_t own = figure.marks.size();
-    if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
     if (place.leader) draw_leader(figure.marks, place, leaders), ++figure.leaders;
     const Spot centre = place.box.centre;
     if (request.balloon > 0) figure.marks.emplace_back(balloon_of(request, centre, ground));
@@ -88,8 +87,8 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
         text.detail = request.detail;
         text.holds = request.holds;
         if (k > first) text.cls = "text";  // one aria-label per label
+        if (k == first) text.in_file = request.in_file;
     }
-    if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
     belong(figure.marks, own, request.statement);
     const Spot reach = place.box.reach();
     figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};

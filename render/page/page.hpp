@@ -7,6 +7,7 @@
 //  - groups nest properly, ids are unique within the page, and attribute values are unescaped text.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,19 +40,50 @@ struct TextMark {
     std::vector<Path> extras;          ///< dots over letters, fraction bars
     StatementIndex statement = none;   ///< see Path::statement
     std::vector<std::string> names{};  ///< the quantities that a label names, as in `data-name`
-    Holds holds{};                     ///< see Path::holds
-    std::size_t detail = 0;            ///< the number of the detail whose letter it has; 0: none
+    std::string in_file{};  ///< the name in the file of the one point or joint that a label names; empty: it names else
+    Holds holds{};          ///< see Path::holds
+    std::size_t detail = 0;  ///< the number of the detail whose letter it has; 0: none
 };
 
-/// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.
+/// Which group it is: an element of a figure, or of one of its details; without an element the figure or the detail
+/// itself. Backends write it as text.
+struct GroupId {
+    std::string figure{};    ///< empty: the element has one name for all figures
+    std::string detail{};    ///< the letter of the detail of that figure
+    std::string element{};   ///< already legal
+    std::string shown_in{};  ///< the figure of the page that shows it, where two of them show it
+
+    GroupId() = default;
+    explicit GroupId(std::string of_figure, std::string of_element = {}, std::string in_detail = {})
+        : figure(std::move(of_figure)), detail(std::move(in_detail)), element(std::move(of_element)) {}
+
+    bool empty() const { return figure.empty() && element.empty(); }
+    /// "velocity-detail-I-v_A"
+    std::string text() const {
+        std::string all = shown_in;
+        const auto add = [&](const std::string& part) {
+            if (!part.empty()) all += (all.empty() ? "" : "-") + part;
+        };
+        add(figure);
+        if (!detail.empty()) add("detail-" + detail);
+        add(element);
+        return all;
+    }
+    friend bool operator==(const GroupId&, const GroupId&) = default;
+    // clang-tidy 14 mistakes the compiler-generated comparison with 0 for a null pointer.
+    friend auto operator<=>(const GroupId&, const GroupId&) = default;  // NOLINT(modernize-use-nullptr)
+};
+
+/// Opens a group (`<g>`): class, id, title and data attributes in order.
 struct GroupBegin {
     std::string cls;
-    std::string id;
+    GroupId id;
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
     StatementIndex statement = none;  ///< see Path::statement; for everything in the group that has none of its own
     Holds holds{};                    ///< see Path::holds; for everything in the group
     std::size_t detail = 0;           ///< the number of the detail that its title names; 0: none
+    std::string cited_as{};           ///< the name that sentences give a centre; others have it as `data-name`
 
     /// The value of an attribute; null if absent.
     const std::string* attribute(std::string_view name) const {

@@ -404,7 +404,7 @@ private:
                 close();
                 const std::string question =
                     item.section < sections_.size() ? sections_[item.section].question : "remarks";
-                sheets.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", question}}, none});
+                sheets.back().emplace_back(GroupBegin{"band", {}, "", {{"data-question", question}}, none});
                 open = item.section;
             }
             y += begins ? 0 : item.above;
@@ -464,7 +464,7 @@ private:
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             const bool is_sentence = i + 1 == blocks.size();
             if (is_sentence) said_at_ = at;
-            if (is_sentence) marks.emplace_back(GroupBegin{"sentence", "", "", {}, none});
+            if (is_sentence) marks.emplace_back(GroupBegin{"sentence", {}, "", {}, none});
             const Block block = scaled(std::move(blocks[i]), said_smaller_);
             if (!is_sentence || with_sentences_) set(marks, block, at);
             if (is_sentence) marks.emplace_back(GroupEnd{});

@@ -100,7 +100,7 @@ private:
     void draw_room(const Room& room, Spot at, double caption) {
         std::vector<Mark>& marks = sheets_.back();
         const Theme& theme = context_.theme;
-        marks.emplace_back(GroupBegin{"room", "", plain(room.name), {}});
+        marks.emplace_back(GroupBegin{"room", {}, plain(room.name), {}});
         render::set_text(marks, shaped_within(room.name, theme.body_text, context_.fonts, room.size.x),
                          {at.x, at.y + 3.8}, theme.text, "text");
         const Spot corner = at + Spot{0, caption};

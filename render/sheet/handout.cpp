@@ -82,7 +82,7 @@ private:
             leave_room_for_caption(figure);
             drawn_.figures.front().scale = figure.scale;  // for the list of scales
         }
-        marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
+        marks().emplace_back(GroupBegin{"band", {}, "", {{"data-question", "given"}}});
         const double caption = set_caption(marks(), context_, figure, 1, at, drawn_.caption_width);
         marks().insert(marks().end(), figure.marks.begin(), figure.marks.end());
         marks().emplace_back(GroupEnd{});
@@ -283,7 +283,7 @@ private:
             const Box content = content_of(format_, false);
             Figure figure = drawn;
             sheets_.emplace_back();
-            sheets_.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", "equations"}}});
+            sheets_.back().emplace_back(GroupBegin{"band", {}, "", {{"data-question", "equations"}}});
             const double caption = set_caption(sheets_.back(), context_, figure, 2, content.min, content.width());
             figure.move(content.min.x - figure.box.min.x, content.min.y + caption - figure.box.min.y);
             sheets_.back().insert(sheets_.back().end(), figure.marks.begin(), figure.marks.end());

@@ -263,7 +263,7 @@ private:
                 sheets_.emplace_back();
                 y_ = format_.content.min.y;
             }
-            sheets_.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", section.question}}, none});
+            sheets_.back().emplace_back(GroupBegin{"band", {}, "", {{"data-question", section.question}}, none});
             if (first) {
                 set(sheets_.back(), heading, {format_.content.min.x, y_});
                 y_ += heading.height + 1;

@@ -121,22 +121,23 @@ std::set<std::string> names_cited(const Solution& solution, const std::vector<St
     return names;
 }
 
-std::set<std::string> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices) {
-    std::set<std::string> links, joints;
+std::set<GroupId> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices) {
+    std::set<GroupId> links, joints;
     const Mechanism& mechanism = solution.mechanism;
     for (const StatementIndex index : indices) {
         const Statement& statement = solution.protocol.statements[at_index(index)];
         for (const BodyIndex body : statement.bodies)
-            links.insert("link-" + legal_id(mechanism.bodies[at_index(body)].name));
+            links.insert(GroupId({}, element_of("link", mechanism.bodies[at_index(body)].name)));
         for (const Argument& argument : statement.message.arguments) {
-            if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
+            if (const auto* body = std::get_if<BodyName>(&argument))
+                links.insert(GroupId({}, element_of("link", body->name)));
             const auto* symbol = std::get_if<Symbol>(&argument);
             if (symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha))
-                links.insert("link-" + legal_id(symbol->about));
+                links.insert(GroupId({}, element_of("link", symbol->about)));
             const auto* point = std::get_if<PointName>(&argument);
             for (const Joint& joint : mechanism.joints)
                 if (point && mechanism.points[at_index(joint.point)].name == point->name)
-                    joints.insert("joint-" + legal_id(joint.name));
+                    joints.insert(GroupId({}, element_of("joint", joint.name)));
         }
     }
     return links.empty() ? joints : links;

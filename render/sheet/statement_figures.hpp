@@ -48,7 +48,7 @@ private:
 /// The names in statements, as in `data-name` and as in the figures.
 std::set<std::string> names_cited(const Solution& solution, const std::vector<StatementIndex>& indices,
                                   Language language);
-/// Ids of the groups of the bodies that the statements name; if there are none, of the joints.
-std::set<std::string> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices);
+/// The groups of the bodies that the statements name; if there are none, of the joints.
+std::set<GroupId> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices);
 
 }  // namespace kinegraph::render

@@ -113,7 +113,7 @@ void StepProse::set(Page& page, const std::string& heading, const std::vector<St
         for (const StepRow& row : rows)
             if (row.sentence.empty()) put(row);
         said.corner = {room_.min.x, y};
-        page.marks.emplace_back(GroupBegin{"sentence", "", "", {}, none});
+        page.marks.emplace_back(GroupBegin{"sentence", {}, "", {}, none});
         for (const StepRow& row : rows)
             if (!row.sentence.empty() && with_sentences) put(row);
         page.marks.emplace_back(GroupEnd{});

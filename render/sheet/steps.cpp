@@ -378,16 +378,16 @@ private:
             return contents.statements.contains(statement);
         });
         // A page without new lines emphasises what is read off, or at least what the statement names.
-        std::set<std::string> names;
+        Cited cited;
         std::vector<Mark> segments;
         if (!adds) {
-            names = names_cited(solution_, step.statements, context_.language);
+            cited.names = names_cited(solution_, step.statements, context_.language);
             const std::set<std::string> found =
-                Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
+                Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(cited.names);
             segments = segments_read(context_, step.statements,
                                      beside.traits.measured == QuantityKind::length ? beside : placed.figure);
-            if (found.empty() && segments.empty()) names.merge(groups_shown(step));
-            names.insert(found.begin(), found.end());
+            if (found.empty() && segments.empty()) cited.groups = groups_shown(step);
+            cited.names.insert(found.begin(), found.end());
         }
         std::vector<Mark> marks = placed.caption;
         std::optional<double> scale_of_mechanism;
@@ -396,7 +396,7 @@ private:
             const std::vector<Mark> drawn =
                 share < 1 ? grown(figure->marks, growth_on(index, all_new), share) : figure->marks;
             std::vector<Mark> shown =
-                revealed(drawn, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
+                revealed(drawn, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, cited);
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
             if (figure->traits.measured == QuantityKind::length && !scale_of_mechanism)
                 scale_of_mechanism = figure->scale;
@@ -415,13 +415,13 @@ private:
         return page;
     }
     /// The same, with the names used in figures for the loads of one body alone.
-    std::set<std::string> groups_shown(const Step& step) const {
-        std::set<std::string> groups = groups_spoken_of(solution_, step.statements);
+    std::set<GroupId> groups_shown(const Step& step) const {
+        std::set<GroupId> groups = groups_spoken_of(solution_, step.statements);
         if (step.statements.empty()) return groups;
         const LoadCase loads(solution_, part_of(solution_, step.statements.front()));
         if (!loads.is_alone()) return groups;
-        std::set<std::string> alone;
-        for (const std::string& group : groups) alone.insert(legal_id("load-" + loads.load()) + "-" + group);
+        std::set<GroupId> alone;
+        for (const GroupId& group : groups) alone.insert(GroupId(element_of("load", loads.load()), group.element));
         return alone;
     }
     std::string heading_of(const Step& step) const {
@@ -447,23 +447,21 @@ private:
     std::map<std::optional<FigureId>, Figure> small_figures_;
 };
 
-/// Whether a label has one of these names, or a group has one as its id, its `data-name` or, for a centre, its title.
-bool is_cited(const Mark& mark, const std::set<std::string>& names) {
-    if (names.empty()) return false;
-    const auto among = [&](const std::string& name) { return names.contains(name); };
+bool is_cited(const Mark& mark, const Cited& cited) {
+    const auto among = [&](const std::string& name) { return cited.names.contains(name); };
     if (const auto* text = std::get_if<TextMark>(&mark))
         return std::any_of(text->names.begin(), text->names.end(), among);
     const auto* group = std::get_if<GroupBegin>(&mark);
     if (!group) return false;
-    if (names.contains(group->id) || (group->cls == "centre" && names.contains(group->title))) return true;
+    if (cited.groups.contains(group->id) || (!group->cited_as.empty() && among(group->cited_as))) return true;
     const std::string* name = group->attribute("data-name");
-    return name && names.contains(*name);
+    return name && among(*name);
 }
 
 }  // namespace
 
 std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std::size_t>& page_of, std::size_t page,
-                           const Theme& theme, const std::set<std::string>& cited) {
+                           const Theme& theme, const Cited& cited) {
     const auto page_of_statement = [&](StatementIndex statement) -> std::optional<std::size_t> {
         if (statement == none || at_index(statement) >= page_of.size()) return std::nullopt;
         return page_of[at_index(statement)];

@@ -17,9 +17,14 @@ namespace kinegraph::render {
 /// statements gives one page with the mechanism.
 std::vector<Page> lay_out_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 
+/// What a page emphasises: the names of labels, `data-name`s and centres; groups.
+struct Cited {
+    std::set<std::string> names;
+    std::set<GroupId> groups;
+};
 /// The marks of a figure that belong to no statement, or to one with `page_of` (page by statement) not after `page`.
-/// Marks of `page`, and those with a name in `cited`, are in the accent colour; earlier ones are grey.
+/// Marks of `page`, and those that are `cited`, are in the accent colour; earlier ones are grey.
 std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std::size_t>& page_of, std::size_t page,
-                           const Theme& theme, const std::set<std::string>& cited = {});
+                           const Theme& theme, const Cited& cited = {});
 
 }  // namespace kinegraph::render

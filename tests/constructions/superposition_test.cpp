@@ -163,7 +163,7 @@ std::set<std::string> figures_on(const std::vector<Page>& pages) {
     for (const Page& page : pages)
         for (const Mark& mark : page.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
-                figures.insert(group->id);
+                figures.insert(group->id.text());
     return figures;
 }
 

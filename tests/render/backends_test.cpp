@@ -60,13 +60,13 @@ Page sample() {
     page.title = "Crank <1> & \"slider\"";
     GroupBegin figure;
     figure.cls = "figure";
-    figure.id = "velocity";
+    figure.id = GroupId("velocity");
     figure.title = "a < b & c";
     figure.attributes = {{"data-name", "<&\">"}, {"data-scale", "0.02"}};
     page.marks.emplace_back(figure);
     GroupBegin vector;
     vector.cls = "vector";
-    vector.id = "velocity-v_B";
+    vector.id = GroupId("velocity", "v_B");
     page.marks.emplace_back(vector);
     page.marks.emplace_back(Axis{{10, 20}, {30.12345678, 20.5}});
     page.marks.emplace_back(fill({MoveTo{{30, 20}}, LineTo{{26, 21}}, LineTo{{26, 19}}, Close{}}, {200, 64, 15}));

@@ -30,7 +30,7 @@ std::set<std::string> figure_ids(const std::vector<Page>& sheets) {
     for (const Page& page : sheets)
         for (const Mark& mark : page.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
-                ids.insert(group->id);
+                ids.insert(group->id.text());
     return ids;
 }
 

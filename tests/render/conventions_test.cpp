@@ -64,7 +64,7 @@ TEST(Conventions, EveryVectorHasItsAxisLine) {
                     if (const std::string* text = attribute_of(*group, "data-scale")) scale = std::stod(*text);
                 const double value = std::stod(*attribute_of(*inside.back(), "data-value"));
                 EXPECT_NEAR(length(axis->tip - axis->tail), std::abs(value) / scale, 2e-6)
-                    << name << ", " << inside.back()->id;
+                    << name << ", " << inside.back()->id.text();
             });
         EXPECT_EQ(axes, vectors) << name;
         EXPECT_GT(vectors, 0U) << name;
@@ -91,7 +91,7 @@ TEST(Conventions, ADashedSideIsAnInternalForce) {
                     (inside.back()->cls == "vector" || inside.back()->cls == "force" || inside.back()->cls == "sense");
                 if (figure == "closure" && is_arrow) ++dashed;
                 if (figure != "closure") {
-                    EXPECT_FALSE(is_arrow) << name << ", " << inside.back()->id;
+                    EXPECT_FALSE(is_arrow) << name << ", " << inside.back()->id.text();
                     EXPECT_NE(figure, "forces") << name;
                 }
             });

@@ -188,7 +188,7 @@ TEST(DataStatement, NamesTheStatementsOfTheForcesOfTheGate) {
 
 TEST(DataStatement, LeavesOutWhatTheGroupRoundItSays) {
     Page page;
-    page.marks.emplace_back(GroupBegin{"vector", "a", "", {}, StatementIndex(3)});
+    page.marks.emplace_back(GroupBegin{"vector", GroupId("a"), "", {}, StatementIndex(3)});
     page.marks.emplace_back(line({0, 0}, {10, 0}, {}));
     belong(page.marks, 1, StatementIndex(3));
     page.marks.emplace_back(line({0, 0}, {10, 10}, {}));

@@ -289,7 +289,7 @@ TEST(DxfOfTheFourBar, AVectorsAxisIsItsLength) {
         if (entity.of(1000) != "velocity-v_B") continue;
         for (const Mark& mark : page->marks) {
             const auto* group = std::get_if<GroupBegin>(&mark);
-            if (group == nullptr || group->id != "velocity-v_B") continue;
+            if (group == nullptr || group->id.text() != "velocity-v_B") continue;
             EXPECT_NEAR(length(entity.spot(11) - entity.spot(10)) * scale, std::stod(*group->attribute("data-value")),
                         1e-7);
             ++compared;

@@ -30,8 +30,8 @@ void expect_well_grouped(const Figure& figure) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             ++depth;
             if (group->id.empty()) continue;
-            EXPECT_TRUE(ids.insert(group->id).second) << group->id << " twice";
-            EXPECT_EQ(legal_id(group->id), group->id);
+            EXPECT_TRUE(ids.insert(group->id.text()).second) << group->id.text() << " twice";
+            EXPECT_EQ(legal_id(group->id.text()), group->id.text());
         }
         if (std::holds_alternative<GroupEnd>(mark)) --depth;
         EXPECT_GE(depth, 0);
@@ -140,7 +140,7 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
         const Figure figure = mechanism_figure(context, 185, 150, true);
         std::set<std::string> ids;
         for (const Mark& mark : figure.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark)) ids.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) ids.insert(group->id.text());
         EXPECT_EQ(ids.count("mechanism"), 1U);
         for (std::size_t b = 1; b < solution.mechanism.bodies.size(); ++b)
             EXPECT_EQ(ids.count("link-" + legal_id(solution.mechanism.bodies[b].name)), 1U);

@@ -64,7 +64,7 @@ std::vector<Drawn> vectors_of(const std::vector<Mark>& marks) {
             }
         }
         if (const auto* axis = std::get_if<Axis>(&mark)) {
-            Drawn drawn{figure, last->id, "", 0, scale, *axis};
+            Drawn drawn{figure, last->id.text(), "", 0, scale, *axis};
             for (const auto& [key, text] : last->attributes) {
                 if (key == "data-name") drawn.name = text;
                 if (key == "data-value") drawn.value = std::strtod(text.c_str(), nullptr);
@@ -198,7 +198,7 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                 if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") {
                     const std::string* kind = group->attribute("data-figure");
                     const std::string* scale = group->attribute("data-scale");
-                    if (kind && *kind == "body") bodies.insert(group->id);
+                    if (kind && *kind == "body") bodies.insert(group->id.text());
                     if (kind && scale && (*kind == "forces" || *kind == "closure"))
                         (*kind == "closure" ? of_closed : scales).insert(std::strtod(scale->c_str(), nullptr));
                 }

@@ -64,7 +64,7 @@ TEST(Growth, FollowsTheOrderOfStatements) {
         marks.emplace_back(path);
     };
     add(none, 0);
-    marks.emplace_back(GroupBegin{"vector", "", "", {}, second});
+    marks.emplace_back(GroupBegin{"vector", {}, "", {}, second});
     add(none, 1);
     TextMark label;
     label.words = "v";

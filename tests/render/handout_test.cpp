@@ -53,7 +53,7 @@ std::map<std::string, Spot> joints_of(const Page& page) {
         std::vector<Mark> marks;
         for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i)
             marks.push_back(page.marks[i]);
-        if (!marks.empty()) joints.emplace(group->id, box_of(marks).middle());
+        if (!marks.empty()) joints.emplace(group->id.text(), box_of(marks).middle());
     }
     return joints;
 }
@@ -123,7 +123,7 @@ TEST(Brief, BarsOfTwoForcesShareABand) {
                 if (group->cls == "band") band = *group->attribute("data-question");
                 for (const FreeBody& body : solution.free_bodies)
                     if (!has_force_polygon(solution, body) && body.body != none &&
-                        group->id == "body-" + solution.mechanism.body(body.body).name)
+                        group->id.text() == "body-" + solution.mechanism.body(body.body).name)
                         bands_with_bars.insert(band);
             }
     EXPECT_EQ(bands_with_bars.size(), 1U);
@@ -208,8 +208,8 @@ TEST(Question, ShowsTheDataAndNothingOfTheSolution) {
         for (const Page& page : pages)
             for (const Mark& mark : page.marks)
                 if (const auto* group = std::get_if<GroupBegin>(&mark)) {
-                    EXPECT_EQ(group->attribute("data-value"), nullptr) << group->id;
-                    EXPECT_TRUE(group->statement == none) << group->id;
+                    EXPECT_EQ(group->attribute("data-value"), nullptr) << group->id.text();
+                    EXPECT_TRUE(group->statement == none) << group->id.text();
                 }
         EXPECT_TRUE(says(pages, "Sought"));
         // No number of an answer, as the key and the tables write them.
@@ -237,7 +237,7 @@ TEST(Question, SaysEveryDatum) {
     for (const Page& page : lay_out(example("slider_crank_offset"), large, fonts()))
         for (const Mark& mark : page.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "dimension")
-                offset = offset || (group->title == "20 mm" && group->id.ends_with("offset"));
+                offset = offset || (group->title == "20 mm" && group->id.element.ends_with("offset"));
     EXPECT_TRUE(offset);
     const Solution& loaded = example("four_bar_weights");
     const std::string with_masses = words_of(lay_out(loaded, of_kind(SheetKind::question), fonts()));

@@ -231,7 +231,7 @@ TEST(Labels, along_a_line_are_never_upside_down) {
 
 TEST(Labels, stay_within_the_figures_group_and_box) {
     Figure figure;
-    figure.marks = {GroupBegin{"figure", "f", "", {}}, line({0, 0}, {10, 0}, {}), GroupEnd{}};
+    figure.marks = {GroupBegin{"figure", GroupId("f"), "", {}}, line({0, 0}, {10, 0}, {}), GroupEnd{}};
     figure.box = {{0, 0}, {10, 0.1}};
     figure.labels = {named("A", {10, 0})};
     place_labels(figure, fonts());
@@ -251,8 +251,8 @@ TEST(Labels, stay_within_the_figures_group_and_box) {
 TEST(Labels, without_a_place_are_listed_below_the_figure) {
     for (const bool strict : {false, true}) {
         Figure figure;
-        figure.marks.emplace_back(GroupBegin{"figure", "field", "", {{"data-figure", "mechanism"}}});
-        figure.marks.emplace_back(GroupBegin{"links", "", "", {}});
+        figure.marks.emplace_back(GroupBegin{"figure", GroupId("field"), "", {{"data-figure", "mechanism"}}});
+        figure.marks.emplace_back(GroupBegin{"links", {}, "", {}});
         for (int i = 0; i <= 80; ++i)
             figure.marks.emplace_back(line({1.0 * i, 0}, {1.0 * i, 60}, {0.18, {0, 0, 0}, {}, false}));
         figure.marks.emplace_back(GroupEnd{});

@@ -15,7 +15,7 @@ using tests::fonts;
 std::vector<Fault> beside_a_corner(Spot along, double clear) {
     Page page;
     page.marks = {polyline({{0, 0}, {297, 0}, {297, 210}, {0, 210}}, {}, true),
-                  GroupBegin{"", "mechanism", "", {{"data-figure", ""}}}};
+                  GroupBegin{"", GroupId("mechanism"), "", {{"data-figure", ""}}}};
     set_text(page.marks, fonts().shape(one_piece("J", Face::italic), 11), {100, 100}, {}, "label");
     const Spot corner = pages::ink_of(std::get<TextMark>(page.marks.back())).max;
     const Spot on_axis = corner + (1 + clear) * turned(-1.0 * unit(along));

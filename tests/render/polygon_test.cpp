@@ -53,13 +53,14 @@ std::vector<VectorGroup> vectors_of(const Figure& figure) {
 void expect_measures(const Figure& figure) {
     std::set<std::string> names, ids;
     for (const VectorGroup& each : vectors_of(figure)) {
-        ASSERT_EQ(each.axes.size(), 1u) << each.group.id;
+        ASSERT_EQ(each.axes.size(), 1u) << each.group.id.text();
         const double value = std::strtod(attribute(each.group, "data-value").c_str(), nullptr);
         EXPECT_GT(value, 0);
-        EXPECT_NEAR(each.length(), value / each.scale(), 1e-6) << each.group.id;
-        EXPECT_TRUE(names.insert(each.figure.id + " " + each.name()).second) << "twice: " << each.group.id;
-        EXPECT_TRUE(ids.insert(each.group.id).second);
-        EXPECT_EQ(each.group.id.rfind(each.figure.id + "-", 0), 0u) << each.group.id;
+        EXPECT_NEAR(each.length(), value / each.scale(), 1e-6) << each.group.id.text();
+        EXPECT_TRUE(names.insert(each.figure.id.text() + " " + each.name()).second)
+            << "twice: " << each.group.id.text();
+        EXPECT_TRUE(ids.insert(each.group.id.text()).second);
+        EXPECT_EQ(GroupId(each.group.id.figure, {}, each.group.id.detail), each.figure.id) << each.group.id.text();
     }
 }
 
@@ -300,8 +301,8 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     Figure figure;
     figure.id = "velocity";
     figure.unit = "m/s";
-    figure.marks.emplace_back(
-        GroupBegin{"figure", "velocity", "", {{"data-figure", "velocity"}, {"data-scale", "1"}, {"data-unit", "m/s"}}});
+    figure.marks.emplace_back(GroupBegin{
+        "figure", GroupId("velocity"), "", {{"data-figure", "velocity"}, {"data-scale", "1"}, {"data-unit", "m/s"}}});
     std::size_t letters = 0;
     const std::vector<Detail> details = details_of(parts, 1, 1, letters);
     ASSERT_EQ(details.size(), 1u);
@@ -312,7 +313,7 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     std::map<std::string, std::set<std::string>> drawn_in;
     std::map<std::string, double> longest;
     for (const VectorGroup& each : vectors_of(figure)) {
-        drawn_in[each.name()].insert(each.figure.id);
+        drawn_in[each.name()].insert(each.figure.id.text());
         longest[each.name()] = std::max(longest[each.name()], each.length());
     }
     EXPECT_EQ(drawn_in["v_A"], (std::set<std::string>{"velocity"}));

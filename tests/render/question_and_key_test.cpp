@@ -110,7 +110,7 @@ std::map<std::string, Spot> joints_of(const Page& page) {
         std::vector<Mark> marks;
         for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i)
             marks.push_back(page.marks[i]);
-        if (!marks.empty()) joints.emplace(group->id, box_of(marks).middle());
+        if (!marks.empty()) joints.emplace(group->id.text(), box_of(marks).middle());
     }
     return joints;
 }

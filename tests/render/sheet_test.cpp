@@ -35,7 +35,7 @@ void expect_nested_groups_and_measured_axes(const std::vector<Page>& pages) {
         for (const Mark& mark : page.marks) {
             if (const auto* group = std::get_if<GroupBegin>(&mark)) {
                 ++depth;
-                EXPECT_TRUE(group->id.empty() || ids.insert(group->id).second) << group->id;
+                EXPECT_TRUE(group->id.empty() || ids.insert(group->id.text()).second) << group->id.text();
                 for (const auto& [name, text] : group->attributes) {
                     if (name == "data-scale") scales.push_back(std::strtod(text.c_str(), nullptr));
                     if (name == "data-value") value = std::strtod(text.c_str(), nullptr);
@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(Sheet, SameProblem,
 
 double scale_of_group(const Figure& figure, const std::string& id) {
     for (const Mark& mark : figure.marks)
-        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->id == id)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->id.text() == id)
             if (const std::string* scale = group->attribute("data-scale")) return std::strtod(scale->c_str(), nullptr);
     return 0;
 }

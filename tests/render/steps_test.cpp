@@ -30,7 +30,7 @@ SheetOptions in(Language language, Orientation orientation = Orientation::landsc
 struct Shown {
     std::string figure;
     std::multiset<std::string> labels;
-    std::set<std::string> vectors, centres;
+    std::set<GroupId> vectors, centres;
 };
 /// Polygons of bodies are one figure; those under the loads of one body alone another, and so are the sums.
 std::string forces_of(const std::string& id) {
@@ -48,9 +48,9 @@ Shown shown_on(const Page& page) {
             if (group->cls == "figure") {
                 const std::string of = *group->attribute("data-figure");
                 if (kind.empty())
-                    kind = of, shown.figure = kind == "forces"           ? forces_of(group->id)
-                                              : group->id == "mechanism" ? group->title
-                                                                         : group->id;
+                    kind = of, shown.figure = kind == "forces"                    ? forces_of(group->id.text())
+                                              : group->id == GroupId("mechanism") ? group->title
+                                                                                  : group->id.text();
                 large = of == kind || (large && of == "detail");
             }
             if (large && group->cls == "vector") shown.vectors.insert(group->id);
@@ -98,13 +98,13 @@ void expect_the_finished_figures_at_last(const Solution& solution, const std::ve
         const Polygon& polygon = solution.protocol.polygons[p];
         if (polygon.plane == Plane::force || !last.contains(legal_id(polygon.id))) continue;
         const Figure figure = polygon_figure(context, static_cast<int>(p), 171, 140);
-        std::set<std::string> vectors;
+        std::set<GroupId> vectors;
         for (const Mark& mark : figure.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
                 vectors.insert(group->id);
         // Which details there are depends on the room.
-        const auto in_detail = [](const std::string& id) { return id.find("-detail-") != std::string::npos; };
-        std::set<std::string>& drawn = last.at(legal_id(polygon.id)).vectors;
+        const auto in_detail = [](const GroupId& id) { return !id.detail.empty(); };
+        std::set<GroupId>& drawn = last.at(legal_id(polygon.id)).vectors;
         std::erase_if(vectors, in_detail);
         std::erase_if(drawn, in_detail);
         EXPECT_EQ(drawn, vectors) << polygon.id;
@@ -152,13 +152,14 @@ INSTANTIATE_TEST_SUITE_P(Examples, Steps, testing::ValuesIn(example_names()),
 TEST(StepsOfDetails, ComeWithTheFirstVectorInThem) {
     std::size_t most = 0;
     for (const Page& page : lay_out_steps(example("stephenson_3_driver_6"), {}, fonts())) {
-        std::set<std::string> details, used;
+        std::set<GroupId> details, used;
         for (const Mark& mark : page.marks) {
             const auto* group = std::get_if<GroupBegin>(&mark);
             if (!group) continue;
-            if (group->cls == "figure" && *group->attribute("data-figure") == "detail") details.insert(group->id);
-            if (group->cls == "vector" && group->id.find("-detail-") != std::string::npos)
-                used.insert(group->id.substr(0, group->id.find('-', group->id.find("-detail-") + 8)));
+            if (group->id.detail.empty()) continue;
+            const GroupId detail(group->id.figure, {}, group->id.detail);
+            if (group->cls == "figure") details.insert(detail);
+            if (group->cls == "vector") used.insert(detail);
         }
         EXPECT_EQ(details, used);
         most = std::max(most, details.size());
@@ -296,13 +297,13 @@ TEST(Revealed, DropsWhatComesLaterWithItsGroup) {
     Path old = path, next = path;
     old.statement = StatementIndex(0);
     next.statement = StatementIndex(2);
-    std::vector<Mark> marks{GroupBegin{"figure", "f", "", {}},
+    std::vector<Mark> marks{GroupBegin{"figure", GroupId("f"), "", {}},
                             path,
                             old,
-                            GroupBegin{"vector", "v", "", {}, StatementIndex(1)},
+                            GroupBegin{"vector", GroupId("v"), "", {}, StatementIndex(1)},
                             path,
                             GroupEnd{},
-                            GroupBegin{"vector", "w", "", {}, StatementIndex(2)},
+                            GroupBegin{"vector", GroupId("w"), "", {}, StatementIndex(2)},
                             path,
                             Axis{},
                             GroupEnd{},
@@ -338,9 +339,14 @@ TEST(Revealed, PutsWhatIsCitedInTheAccent) {
     TextMark label;
     label.names = {"v_A"};
     const std::vector<Mark> marks{
-        GroupBegin{"vector", "velocity-v_A", "", {{"data-name", "v_A"}}, StatementIndex(0)}, path, GroupEnd{}, label,
-        GroupBegin{"vector", "velocity-v_B", "", {{"data-name", "v_B"}}, StatementIndex(0)}, path, GroupEnd{}};
-    const auto shown = revealed(marks, {0, 1}, 1, theme, {"v_A"});
+        GroupBegin{"vector", GroupId("velocity", "v_A"), "", {{"data-name", "v_A"}}, StatementIndex(0)},
+        path,
+        GroupEnd{},
+        label,
+        GroupBegin{"vector", GroupId("velocity", "v_B"), "", {{"data-name", "v_B"}}, StatementIndex(0)},
+        path,
+        GroupEnd{}};
+    const auto shown = revealed(marks, {0, 1}, 1, theme, {{"v_A"}, {}});
     EXPECT_EQ(std::get<Path>(shown[1]).pen.colour, theme.accent);
     EXPECT_EQ(std::get<TextMark>(shown[3]).colour, theme.accent);
     EXPECT_EQ(std::get<Path>(shown[5]).pen.colour, theme.secondary);

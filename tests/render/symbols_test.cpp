@@ -54,7 +54,7 @@ struct Drawn {
         int depth = 0;
         for (const Mark& mark : figure.marks) {
             const auto* begin = std::get_if<GroupBegin>(&mark);
-            if (depth == 0 && begin && begin->id == id) {
+            if (depth == 0 && begin && begin->id.text() == id) {
                 depth = 1;
                 continue;
             }

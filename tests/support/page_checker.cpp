@@ -155,7 +155,7 @@ bool deeply_overlap(TurnedBox a, TurnedBox b) {
     return overlap(a, b);
 }
 
-std::string figure_of(const GroupBegin& group) { return group.attribute("data-figure") ? group.id : ""; }
+std::string figure_of(const GroupBegin& group) { return group.attribute("data-figure") ? group.id.text() : ""; }
 
 /// True if a path is a thin straight line or an empty circle, and only a circle may lie between it and a label.
 bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
@@ -185,7 +185,7 @@ std::pair<Fault::Kind, std::string> role_of(const std::vector<const GroupBegin*>
     const auto is_one_of = [](const auto& roles, const std::string& cls) { return std::ranges::count(roles, cls) > 0; };
     for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
         const std::string& cls = (*group)->cls;
-        const std::string of = (*group)->id.empty() ? cls : (*group)->id;
+        const std::string of = (*group)->id.empty() ? cls : (*group)->id.text();
         if (is_one_of(vectors, cls)) return {Fault::Kind::label_on_vector, of};
         if (is_one_of(mechanism, cls)) return {Fault::Kind::label_on_mechanism, of};
     }

@@ -111,7 +111,7 @@ inline void expect_sound_groups(const Page& page) {
     for (const Mark& mark : page.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             ++depth;
-            EXPECT_TRUE(group->id.empty() || ids.insert(group->id).second) << group->id;
+            EXPECT_TRUE(group->id.empty() || ids.insert(group->id.text()).second) << group->id.text();
         }
         if (std::holds_alternative<GroupEnd>(mark)) --depth;
         EXPECT_GE(depth, 0);

@@ -102,7 +102,7 @@ TEST(DrawnAndSaid, ScalesAreThoseOfTheSeries) {
                 constexpr double standard[]{1, 2, 2.5, 5}, between[]{1.25, 1.5, 3, 4, 6, 8};
                 EXPECT_TRUE(std::ranges::any_of(standard, is_digits) ||
                             (!is_drawing && std::ranges::any_of(between, is_digits)))
-                    << name << " " << group->id << " " << scale;
+                    << name << " " << group->id.text() << " " << scale;
             }
     }
     EXPECT_GT(drawings, 50);
