@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "constructions/moving/moving_rules.hpp"
+#include "constructions/moving/turned_loads.hpp"
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
@@ -189,65 +190,19 @@ private:
         moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_, !is_displaced_));
     }
 
-    /// How a load of a structure differs from the one in the file.
-    struct Change {
-        int quarters = 0;  ///< exact quarter turns: lines that are parallel stay so
-        double more = 0;   ///< rad, after these
-        double size = 1;   ///< a factor
-    };
-    /// Plans for a structure whose loads are turned and have other sizes: each alone, then all together.
     void add_plans_of_directions() {
-        constexpr int directions = 24;
-        // Off the multiples of a degree, where two lines are parallel by chance.
-        constexpr double beside = 0.0137, step = 6.283185307179586 / directions;
-        const std::vector<MovingSetting>& settings = rules_.settings();
-        for (const double size : {1.0, 2.5, 0.4})
-            for (const MovingSetting& alone : settings) {
-                if (!alone.direction) continue;
-                const auto with = [&](Change change) {
-                    add_plan_with([&](const MovingSetting& each) { return &each == &alone ? change : Change{}; });
-                };
-                for (int quarter = 0; quarter < 4; ++quarter) with({quarter, 0, size});
-                for (int k = 0; k < directions; ++k) with({0, k * step + beside, size});
-            }
-        for (int k = 0; settings.size() > 1 && k < directions; ++k)
-            add_plan_with([&](const MovingSetting& each) {
-                const auto index = static_cast<double>(&each - settings.data());
-                return Change{0, (k + 0.4 * index) * step + beside, 1};
-            });
-    }
-    /// None is added where one that is there holds.
-    template <class ChangeOf>
-    void add_plan_with(ChangeOf change_of) {
-        if (moving_.plans.size() >= most_plans) return;
-        Mechanism changed = mechanism_;
-        for (const MovingSetting& each : rules_.settings())
-            if (each.direction) change(changed, each, change_of(each));
-        for (const MovingPlan& plan : moving_.plans)
-            if (replays(plan, changed, pose_)) return;
-        const auto solution = solve(changed);
-        if (!solution) return;
-        MovingPlan plan = Planned(*solution, moving_.columns).plan(rules_, true, &mechanism_);
-        if (replays(plan, changed, pose_)) moving_.plans.push_back(std::move(plan));
-    }
-    void change(Mechanism& mechanism, const MovingSetting& setting, const Change& by) const {
-        const Exact size = Exact::from_double(by.size);
-        const Vector more{Exact::from_double(nearest::cos(by.more)), Exact::from_double(nearest::sin(by.more))};
-        const auto turned = [&](Vector vector) {
-            for (int i = 0; i < by.quarters; ++i) vector = quarter_turn(vector);
-            return by.more == 0 ? vector : faced(more, vector);
-        };
-        if (setting.kind == MovingSetting::Kind::point_velocity) {
-            Vector& velocity = std::get<Vector>(mechanism.motion->velocities[at_index(setting.of)].value);
-            velocity = size * turned(velocity);
-            return;
-        }
-        auto& force = std::get<ForceLoad>(mechanism.loads[at_index(setting.of)]);
-        if (force.value) force.value = size * turned(*force.value);
-        if (!force.magnitude) return;
-        auto& [magnitude, along] = *force.magnitude;
-        magnitude = size * magnitude;
-        along = Bearing{turned(kinegraph::direction_of(along, pose_))};
+        TurnedLoads loads(mechanism_, pose_, rules_.settings());
+        for (const MovingPlan& plan : moving_.plans) loads.add(plan.program);
+        loads.each_unplanned([&](const Mechanism& changed) {
+            if (moving_.plans.size() >= most_plans) return false;
+            const auto solution = solve(changed);
+            if (!solution) return true;
+            MovingPlan plan = Planned(*solution, moving_.columns).plan(rules_, true, &mechanism_);
+            if (!replays(plan, changed, pose_)) return true;
+            loads.add(plan.program);
+            moving_.plans.push_back(std::move(plan));
+            return moving_.plans.size() < most_plans;
+        });
     }
 
     double direction_of(const Body& body) const {

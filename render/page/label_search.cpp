@@ -71,12 +71,13 @@ LabelSearch::LabelSearch(const std::vector<LabelRequest>& requests, const Box& b
     for (std::size_t i = 0; i < requests.size(); ++i) places_.emplace_back(setting_, i, letters_[i].half());
 }
 
-bool LabelSearch::place(const std::optional<Spot>& only_within) {
+bool LabelSearch::place(const std::optional<Spot>& only_within, bool first) {
     const std::vector<std::size_t> order = least_free_first();
     for (const std::size_t i : order) chosen_[i] = *best(i, infinity);
-    improve(order);
+    const bool is_over = first && is_hopeless();
+    if (!is_over) improve(order);
     if (only_within && !fits(*only_within)) return false;
-    repair(order);
+    if (!is_over) repair(order);
     return true;
 }
 
@@ -250,6 +251,13 @@ bool LabelSearch::is_in_the_way(std::size_t i) const {
     for (std::size_t j = 0; j < chosen_.size(); ++j)
         if (j != i && clash(chosen_[i], chosen_[j])) return true;
     return false;
+}
+
+/// Whether so many labels are in the way that moving them would only move what is in the way.
+bool LabelSearch::is_hopeless() const {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) found += is_in_the_way(i) ? 1 : 0;
+    return 3 * found > 2 * chosen_.size();
 }
 
 bool LabelSearch::is_crowded() const {

@@ -27,7 +27,9 @@ public:
     LabelSearch& operator=(const LabelSearch&) = delete;
 
     /// Places all labels. False if `only_within` (width and height of a room, mm) is given and they do not fit into it.
-    bool place(const std::optional<Spot>& only_within);
+    /// `first`: the labels without a place are named elsewhere, and the others placed once more. Then a hopeless crowd
+    /// is left as it first stands, since most of the time would go into what is placed anew.
+    bool place(const std::optional<Spot>& only_within, bool first);
 
     /// Moves the shaped text out. Call once per label.
     ShapedLine take_shaped(std::size_t label) { return letters_[label].take(); }
@@ -60,6 +62,7 @@ private:
     bool fits(Spot room) const;
     bool leaves_the_room(const Candidate& candidate) const;
     bool is_in_the_way(std::size_t i) const;
+    bool is_hopeless() const;
 
     LabelSetting setting_;
     std::vector<Lettered> letters_;

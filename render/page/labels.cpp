@@ -134,7 +134,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         if (left && !key.empty())
             left->y = std::max(left->y - above_key - key.lines({}, measure).height, figure.box.height());
         search.emplace(requests, figure.box, fonts, ground, left, labelling == Labelling::strict);
-        if (!search->place(labelling == Labelling::if_it_fits ? left : std::nullopt)) return false;
+        if (!search->place(labelling == Labelling::if_it_fits ? left : std::nullopt, key.empty())) return false;
         if (labelling == Labelling::if_all_free && search->is_crowded()) return false;
         const std::vector<std::size_t> placeless = search->placeless();
         if (placeless.empty()) break;
