@@ -199,8 +199,10 @@ bool BranchWalk::find_limit(double towards) {
         double way = (towards > here_.s ? 1 : -1) * (slope_low > 0 ? 1 : -1);
         // Steps begin short: beside a change point the path turns sharply, and another branch is near.
         constexpr double first = 1e-7, shortest = 1e-9, farthest = 0.3, faster = 1.5;
+        // Where sizes are so far apart that steps stay short, the path is not followed: a hundred steps mostly do.
+        constexpr int most_steps = 10'000;
         double gone = 0, reach = first;
-        while (gone + reach <= farthest) {
+        for (int count = 0; gone + reach <= farthest && count < most_steps; ++count) {
             if (!step_by(closure_, column, low, slope_low, way * reach, high, slope)) {
                 reach /= 4;
                 if (reach < shortest) return std::nullopt;

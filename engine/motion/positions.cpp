@@ -140,7 +140,7 @@ std::optional<Positions> Positions::at_limit(double limit, double inward) const 
 }
 
 /// Iterative refinement: with the matrix in doubles each pass adds some fifteen digits, from exact residuals.
-std::vector<Exact> Positions::refined_state(const Closure& closure, const Exact& coordinate) {
+std::optional<std::vector<Exact>> Positions::refined_state(const Closure& closure, const Exact& coordinate) {
     closing::NumericClosure& numeric = walk_.closure();
     closing::State state = walk_.here();
     // At the edge of what doubles can close, the position is as good as it was.
@@ -166,14 +166,16 @@ std::vector<Exact> Positions::refined_state(const Closure& closure, const Exact&
             excesses[r] = value.to_double();
         }
         const std::vector<double>& correction = numeric.correction(excesses);
-        if (closing::largest(correction) < done) break;
+        if (!std::all_of(correction.begin(), correction.end(), [](double each) { return std::isfinite(each); })) break;
+        if (closing::largest(correction) < done) return q;
         for (std::size_t k = 0; k < q.size(); ++k) q[k] = rounded(q[k] - Exact::from_double(correction[k]), grid);
     }
-    return q;
+    return std::nullopt;
 }
 
-std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const Exact& coordinate) {
-    return places_at(closure, refined_state(closure, coordinate));
+std::optional<std::vector<BodyPlaceOf<Exact>>> Positions::refined(const Closure& closure, const Exact& coordinate) {
+    const auto q = refined_state(closure, coordinate);
+    return q ? std::optional(places_at(closure, *q)) : std::nullopt;
 }
 
 std::optional<std::vector<BodyPlaceOf<Exact>>> Positions::refined_across(const Closure& closure,
@@ -189,11 +191,12 @@ std::optional<std::vector<BodyPlaceOf<Exact>>> Positions::refined_across(const C
             Positions beside = *this;
             const Exact at = coordinate + k * h;
             if (!beside.move_to(at.to_double()) || beside.is_singular()) return false;
-            const std::vector<Exact> q = beside.refined_state(closure, at);
+            const auto q = beside.refined_state(closure, at);
+            if (!q) return false;
             const int side = std::abs(k);
-            for (std::size_t i = 0; i < q.size(); ++i) {
-                found[i] += weight_at_middle(side, most) * q[i];
-                if (side <= fewer) estimate[i] += weight_at_middle(side, fewer) * q[i];
+            for (std::size_t i = 0; i < q->size(); ++i) {
+                found[i] += weight_at_middle(side, most) * (*q)[i];
+                if (side <= fewer) estimate[i] += weight_at_middle(side, fewer) * (*q)[i];
             }
             return true;
         };

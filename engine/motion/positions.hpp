@@ -75,8 +75,9 @@ public:
     double slid(JointIndex joint) const { return rules_.slid(numeric().places(), joint); }
 
     /// The positions of the bodies in exact numbers: closed within 2^-bits, with the driver exactly at `coordinate`,
-    /// which is that of this position. `closure` is of the drawn pose, with as many bits.
-    std::vector<BodyPlaceOf<Exact>> refined(const Closure& closure, const Exact& coordinate);
+    /// which is that of this position. `closure` is of the drawn pose, with as many bits. None where sizes are so far
+    /// apart that doubles lead no nearer.
+    std::optional<std::vector<BodyPlaceOf<Exact>>> refined(const Closure& closure, const Exact& coordinate);
     /// The same on a change point, or too near to one for refined(): interpolated from positions on both sides, since
     /// the branch goes on smoothly. None where the driver stops beside it.
     std::optional<std::vector<BodyPlaceOf<Exact>>> refined_across(const Closure& closure,
@@ -102,7 +103,7 @@ private:
     const closing::NumericClosure& numeric() const { return walk_.closure(); }
     const BodyPlaceOf<double>& now(BodyIndex body) const { return numeric().places()[at_index(body)]; }
     /// The unknowns by column, refined.
-    std::vector<Exact> refined_state(const Closure& closure, const Exact& coordinate);
+    std::optional<std::vector<Exact>> refined_state(const Closure& closure, const Exact& coordinate);
 
     double unit_ = 1;            ///< of the closure, m
     std::vector<Exact> shares_;  ///< by driver: its coordinate divided by the course's, in rad and m

@@ -135,8 +135,10 @@ std::optional<Pose> Mover::pose_of(const Mechanism& moved, int bits) const {
 }
 
 std::optional<Repositioned> Mover::moved(Positions& positions, const Exact& coordinate) const {
-    const PlacesOf places = positions.refined(drawn_.closure, coordinate);
-    return moved(positions, places, positions.refined(finer_.closure, coordinate));
+    const auto places = positions.refined(drawn_.closure, coordinate);
+    const auto finer = places ? positions.refined(finer_.closure, coordinate) : std::nullopt;
+    if (!finer) return std::nullopt;
+    return moved(positions, *places, *finer);
 }
 
 std::optional<Repositioned> Mover::moved_across(const Positions& positions, const Exact& coordinate) const {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -310,6 +311,49 @@ TEST(Positions, AMovedMechanismIsClosedToItsLastBit) {
         }
     }
     EXPECT_GT(compared, 6);
+}
+
+/// Whether two points that one body carries keep their distance from pose to pose, within 2^-bits of the size.
+bool is_rigid(const Mechanism& mechanism, const Pose& before, const Pose& after, int bits) {
+    for (const Body& body : mechanism.bodies)
+        for (std::size_t k = 1; k < body.points.size(); ++k) {
+            const auto squared = [&](const Pose& of) {
+                return squared_length(of.at(body.points[0]) - of.at(body.points[k]));
+            };
+            if (abs(squared(after) - squared(before)) > square(before.size) * Exact::power_of_two(8 - bits))
+                return false;
+        }
+    return true;
+}
+
+// Sizes so far apart that doubles close a position badly or not at all: it is refined to its last bit or not at all,
+// and no number in between ends the program.
+TEST(Positions, OfSizesFarApartAreRefinedToTheLastBitOrNotAtAll) {
+    int refined = 0, refused = 0;
+    for (const auto& [name, place] : {std::pair("cam_roller_follower", "/points/O/1"),
+                                      {"cam_knife_edge", "/points/O/1"},
+                                      {"cam_flat_follower", "/points/O/1"},
+                                      {"planetary_train", "/points/O/0"},
+                                      {"rack_and_pinion", "/points/G/0"},
+                                      {"four_bar", "/points/O4/0"}})
+        for (const double value : {1e3, 1e6, 1e9, 1e12, -1e20, 1e30, 1e61}) {
+            SCOPED_TRACE(std::string(name) + " " + place + " " + std::to_string(value));
+            nlohmann::json file = nlohmann::json::parse(tests::contents(tests::example_file(name)));
+            file[nlohmann::json::json_pointer(place)] = value;
+            const Mechanism mechanism = read(file.dump());
+            const auto pose = draw_pose(mechanism);
+            if (!pose) continue;
+            auto positions = Positions::of(mechanism, *pose, 0);
+            if (!positions) continue;
+            for (const double coordinate : {0.0, 1e-3, -0.3, 2.0}) {
+                if (!positions->move_to(coordinate) || positions->is_singular()) continue;
+                const auto moved = Mover(mechanism, *pose).moved(*positions, Exact::from_double(coordinate));
+                ++(moved ? refined : refused);
+                EXPECT_TRUE(!moved || is_rigid(mechanism, *pose, moved->pose, 100)) << coordinate;
+            }
+        }
+    EXPECT_GT(refined, 10);
+    EXPECT_GT(refused, 3);
 }
 
 }  // namespace
