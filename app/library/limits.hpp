@@ -16,6 +16,8 @@ constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_bodies_with_centres = 250;
 /// Bodies of a mechanism whose positions are found one after another: in each, closing and checking it takes the cube.
 constexpr std::size_t most_swept_bodies = 40;
+/// Bodies that a sweep over a parameter solves, in all its values together.
+constexpr std::size_t most_bodies_of_values = 15'000;
 /// Turns of a driver from the drawn position: the mechanism is moved there step by step.
 constexpr double most_turns = 1000;
 

@@ -13,6 +13,7 @@
 #include "app/library/row_curves.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
+#include "constructions/positions/cycle.hpp"
 #include "constructions/positions/expression_columns.hpp"
 #include "constructions/positions/followed_columns.hpp"
 #include "constructions/positions/named_results.hpp"
@@ -130,6 +131,7 @@ public:
 
     Expected<void> each_row(const See& see, const Progress& progress) override {
         if (!has_rows) solve_all(progress);
+        if (const auto beyond = beyond_work()) return refused(Diagnostic::Kind::bad_input, *beyond);
         if (table.rows.empty()) return tl::unexpected(diagnostics_of(fault_));
         if (wrong_columns_) return refused(Diagnostic::Kind::bad_input, *wrong_columns_);
         const std::vector<bool> none_empty(table.columns.size());
@@ -161,6 +163,12 @@ public:
         return {};
     }
 
+    std::optional<Words> beyond_work() const override {
+        if (spent_ <= most_planned_bits) return std::nullopt;
+        constexpr std::size_t million = 1'000'000;
+        return Words(lang::sweeps::over_takes_too_many_bits, options_.dashes,
+                     std::to_string(most_planned_bits / million));
+    }
     std::vector<Words> summary() const override {
         std::vector<Words> lines;
         for (std::size_t i = 0; i < table.followed.columns.size(); ++i) {
@@ -198,7 +206,7 @@ private:
     double si(std::uint64_t i) const { return si_of(*read_measured(values_.value(i), {})); }
 
     void solve_all(const Progress& progress) {
-        for (std::uint64_t i = 0; i < values_.count; ++i) {
+        for (std::uint64_t i = 0; i < values_.count && !beyond_work(); ++i) {
             if (progress) progress(static_cast<long>(i), static_cast<long>(values_.count));
             is_checked_ = true;
             auto row = row_of(values_.value(i));
@@ -214,7 +222,7 @@ private:
             }
         }
         has_rows = true;
-        if (table.rows.empty()) return;
+        if (table.rows.empty() || beyond_work()) return;
         find_gaps();
         find_ends();
         find_poles_and_separations();
@@ -366,6 +374,7 @@ private:
             varied->find.curvature = varied->find.curvature || result_kind(each.quantity).is_of_curvature();
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
+        spent_ += solution->protocol.bits;
         if (!solution->unsolved.empty() && whole)
             return note({{ErrorCode::no_unique_answer, {}, {lang::sweeps::no_value_has_a_unique_answer}}});
         return *std::move(solution);
@@ -462,7 +471,8 @@ private:
     std::optional<Words> wrong_columns_;
     Variation values_;
     LargestDifference difference_;
-    double size_ = 0;  ///< of the largest drawing, m
+    double size_ = 0;        ///< of the largest drawing, m
+    std::size_t spent_ = 0;  ///< bits of all numbers of the solutions
     std::vector<double> last_;
     std::vector<std::string> left_out_;
     std::vector<double> gaps_;                   ///< left out, and no poles
@@ -498,6 +508,14 @@ Words meaningless_sweep(const SweepOptions& options, JsonValue parameters) {
             did_you_mean(Speller().nearest(options.over, names))};
 }
 
+/// Why so many values are not solved, with the limit and a remedy; none if they are.
+std::optional<Words> beyond_values(std::uint64_t values, const Mechanism& mechanism, const std::string& dashes) {
+    const std::size_t bodies = std::max<std::size_t>(mechanism.bodies.size(), 1);
+    if (values <= app::most_bodies_of_values / bodies) return std::nullopt;
+    return Words(lang::sweeps::over_values_of_bodies, dashes, std::to_string(values), std::to_string(bodies),
+                 std::to_string(app::most_bodies_of_values));
+}
+
 /// The parameter's own value, SI: that of the settings, else of the file; empty if a formula gives it.
 std::optional<double> drawn_value(const MechanismFile::State& file, const std::string& name, std::string text) {
     for (const Setting& each : file.set)
@@ -518,6 +536,7 @@ Expected<std::unique_ptr<Sweep::State>> sweep_of_parameter(const MechanismFile::
     if (const auto beyond = app::beyond_solving(file.mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
     auto values = values_of(options);
     if (!values) return wrong(values.error());
+    if (const auto beyond = beyond_values(values->count, file.mechanism, options.dashes)) return wrong(*beyond);
     const std::string own(parameters[options.over].text());
     if (const Words why = of_another_kind(*values, own, options.dashes); !why.empty()) return wrong(why);
     return std::make_unique<ParameterSweep>(file, options, *std::move(values), drawn_value(file, options.over, own));

@@ -31,7 +31,7 @@ protected:
     void expect_refused(const std::string& command, const std::string& place) const {
         const Outcome outcome = run(command);
         EXPECT_EQ(outcome.status, 2) << outcome.err;
-        EXPECT_TRUE(lines_are(outcome.err, "chain\\.json: " + place + ".*")) << outcome.err;
+        EXPECT_TRUE(lines_are(outcome.err, "(chain\\.json|kinegraph): " + place + ".*")) << outcome.err;
         EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv")) << "half written";
         EXPECT_FALSE(std::filesystem::exists(folder_ / "out.svg")) << "half written";
     }
@@ -78,6 +78,21 @@ TEST_F(Limits, OfPositionsThatNeedExactNumbers) {
     expect_refused("sweep chain.json -o out.svg", "quantities differ so much in size .* take fewer --steps");
     turned("1e-3");
     EXPECT_EQ(run("sweep chain.json -o out.csv").status, 0);
+}
+
+TEST_F(Limits, OfASweepOverAParameter) {
+    std::ofstream(folder_ / "chain.json") << contents(example_file("variants/four_bar"));
+    const std::string over = "sweep chain.json --over r --from \"35 mm\" --to \"60 mm\" -o out.csv ";
+    expect_refused(over + "--steps 3750",
+                   "--over: 3751 values of 4 bodies; at most 15000 bodies are solved in one sweep");
+    expect_refused(over + "--step \"0.001 mm\"", "--over: 25001 values of 4 bodies; .* fewer --steps");
+    EXPECT_EQ(run(over).status, 0);
+    // A speed of a thousand digits, in every value.
+    Json file = Json::parse(contents(example_file("variants/four_bar")));
+    file["parameters"]["n"] = "1." + std::string(990, '3') + " rpm";
+    std::ofstream(folder_ / "chain.json") << file;
+    std::filesystem::remove(folder_ / "out.csv");
+    expect_refused(over + "--steps 3700", "--over: the values need more than 250 million bits .* fewer --steps");
 }
 
 TEST_F(Limits, OfSheetsAndSteps) {
