@@ -189,8 +189,9 @@ private:
             figure_.marks.emplace_back(ring(centre, 0.9, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             name("{C}", centre, theme_.text);
             if (radius > 8) name("{ρ}", 0.5 * (centre + at_), theme_.text, at_, 1.4);
-        } else {
-            const double from = angle_of(at_ - centre), half = std::min(pi, 20 / radius);
+        } else if (constexpr double along = 20, seen = 0.01; along * along > 2 * radius * seen) {
+            // A flatter arc is not told from its tangent, and its centre may lie beyond all paper.
+            const double from = angle_of(at_ - centre), half = std::min(pi, along / radius);
             figure_.marks.emplace_back(arc(centre, radius, from - half, from + half, thin(dashes())));
         }
     }

@@ -13,11 +13,14 @@
 namespace kinegraph::render {
 namespace {
 
-/// The shortest decimal that equals the scale except for rounding in the last bits.
-std::string shortest_scale(double value, Language language) {
+/// The decimal of seven digits that equals the scale except for rounding in the last bits; else the scale itself.
+double without_last_bits(double value) {
     const double power = nearest::pow(10.0, 6 - std::floor(nearest::log10(value)));
     const double round = std::round(value * power) / power;
-    const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language);
+    return std::abs(round - value) < 1e-12 * value ? round : value;
+}
+std::string shortest_scale(double value, Language language) {
+    const std::string text = shortest(without_last_bits(value), language);
     // A scale derived from a file, such as 14 mm = 16.28 MN, may have no finite decimal.
     constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
     return character_count(text) > longest ? number(value, 5, language) : text;
@@ -26,7 +29,7 @@ std::string shortest_scale(double value, Language language) {
 }  // namespace
 
 std::string ratio_words(double scale, Language language) {
-    const double ratio = scale * 1000;
+    const double ratio = without_last_bits(scale * 1000);
     return ratio >= 1 ? "1 : " + shortest(std::round(ratio * 1e9) / 1e9, language)
                       : shortest(std::round(1e9 / ratio) / 1e9, language) + " : 1";
 }

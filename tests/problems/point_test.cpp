@@ -13,8 +13,11 @@
 #include "engine/file/expression.hpp"
 #include "engine/results/results.hpp"
 #include "problems/point/point.hpp"
+#include "render/figures/caption.hpp"
+#include "tests/support/fonts.hpp"
 #include "tests/support/problem_tests.hpp"
 #include "tests/support/schema_gate.hpp"
+#include "tests/support/through_all.hpp"
 
 namespace kinegraph::point_test {
 namespace {
@@ -306,6 +309,18 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"~("path": {"y": "sqrt(1 - x^2)"}, "s": "9*t")~", "/motion/path/y", "this path"},
         Refused{R"~("x": "t", "from": 3)~", "/motion/to", "must end after"},
         Refused{R"~("x": "t", "from": 1.5)~", "/motion/at", "outside"}));
+
+// A flat path has its centre of curvature far beyond the paper: its arc is the tangent there.
+TEST(PointMotion, PathsOfAnyExtentsAreDrawn) {
+    for (const char* const speed : {"1e-12", "1e-9", "1e-6", "1e-3", "1", "1e3", "1e4", "1e6", "1e9", "1e12"}) {
+        const std::string file = R"~({"kinegraph": 1, "motion": {"x": "v0*t", "y": "b*t^2", "constants": {"v0": ")~" +
+                                 std::string(speed) + R"~( m/s", "b": "1 m/s²"}, "at": "1 s", "to": "3 s"}})~";
+        EXPECT_TRUE(tests::through_all(file, tests::fonts()).drawn) << speed;
+    }
+    // v²/a of scales in doubles: 1 : 5 × 10¹⁹.
+    EXPECT_EQ(render::ratio_words(4.999999999999999e16, Language::en), render::ratio_words(5e16, Language::en));
+    EXPECT_EQ(render::ratio_words(0.0025, Language::en), "1 : 2.5");
+}
 
 TEST(PointMotion, NothingHostileTakesLong) {
     const auto refuses = [](const std::string& expression) {
