@@ -166,11 +166,12 @@ std::optional<std::vector<Exact>> Positions::refined_state(const Closure& closur
             excesses[r] = value.to_double();
         }
         const std::vector<double>& correction = numeric.correction(excesses);
-        if (!std::all_of(correction.begin(), correction.end(), [](double each) { return std::isfinite(each); })) break;
-        if (closing::largest(correction) < done) return q;
+        if (!std::all_of(correction.begin(), correction.end(), [](double each) { return std::isfinite(each); }))
+            return std::nullopt;
+        if (closing::largest(correction) < done) break;
         for (std::size_t k = 0; k < q.size(); ++k) q[k] = rounded(q[k] - Exact::from_double(correction[k]), grid);
     }
-    return std::nullopt;
+    return q;  // beside a change point after many passes, each of which adds few digits
 }
 
 std::optional<std::vector<BodyPlaceOf<Exact>>> Positions::refined(const Closure& closure, const Exact& coordinate) {
