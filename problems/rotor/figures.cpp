@@ -359,7 +359,7 @@ private:
     void draw_vector(const std::string& index, bool held, Spot tail, Spot tip, double value, const BodyColour& ink) {
         const std::string data_name = std::string(held ? "R" : "U") + (is_of_couples_ ? "l_" : "_") + index;
         figure_.marks.emplace_back(GroupBegin{"vector",
-                                              legal_id(figure_.id + "-" + data_name),
+                                              id_in(figure_, legal_id(data_name)),
                                               data_name,
                                               {{"data-name", data_name},
                                                {"data-value", shortest(value)},

@@ -123,8 +123,8 @@ private:
                 equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
             const LoadCase loads(solution_, part_of(solution_, StatementIndex(i)));
             for (const FreeBody* body : solved_by(loads, StatementIndex(i)))
-                if (Block block = force_equation_block(context_, loads, *body, true);
-                    block.width > 0 && block.width <= measure_ - indent)
+                if (Block block = force_equation_block(context_, loads, *body, true, measure_ - indent);
+                    block.width > 0)
                     equations.emplace_back(std::move(block));
             const Paragraph& sentence = known->second.sentence;
             double height = sentence.height(measure_);

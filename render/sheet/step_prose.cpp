@@ -82,7 +82,7 @@ std::vector<Block> StepProse::equations_of(StatementIndex index) const {
     if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
     const LoadCase loads(context_.solution, part_of(context_.solution, index));
     for (const FreeBody* body : solved_by(loads, index))
-        found.push_back(force_equation_block(context_, loads, *body, true));
+        found.push_back(force_equation_block(context_, loads, *body, true, format_.measure));
     std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
     for (Block& block : found) {
         render::move(block.marks, 0, 2.5);

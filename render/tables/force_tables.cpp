@@ -112,7 +112,7 @@ bool are_parallel(const Solution& solution, const FreeBody& body) {
 struct EquationColumn {
     ShapedLine symbol, line;
     bool magnitude = false, direction = true;
-    double width = 0, middle = 0;
+    double middle = 0;
 };
 
 EquationColumn equation_column(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
@@ -128,7 +128,6 @@ EquationColumn equation_column(const DrawingContext& context, const LoadCase& lo
     column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
     column.line = context.fonts.shape(line ? *line : one_piece(word(lang::sheet::any_line, context.language)),
                                       context.theme.small);
-    column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
     return column;
 }
 
@@ -157,16 +156,27 @@ constexpr std::array<Key, 3> equation_rows{lang::common::magnitude, lang::sheet:
 /// The equation F_g + F_01 + F_21 = 0, with rows of known and sought properties below it.
 class ForceEquation {
 public:
-    ForceEquation(const DrawingContext& context, std::vector<EquationColumn> columns, bool with_names)
+    /// Lengths in mm.
+    struct Spacing {
+        double column;       ///< least width of a column
+        double about;        ///< about a symbol
+        double about_line;   ///< about the name of a line
+        double between;      ///< between columns
+        double after_names;  ///< after the names of the rows
+    };
+    ForceEquation(const DrawingContext& context, std::vector<EquationColumn> columns, bool with_names,
+                  const Spacing& spacing)
         : theme_(context.theme), fonts_(context.fonts), columns_(std::move(columns)), with_names_(with_names) {
         for (std::size_t i = 0; i < equation_rows.size() && with_names; ++i) {
             names_[i] = fonts_.shape(one_piece(word(equation_rows[i], context.language)), theme_.small);
-            right_ = std::max(right_, names_[i].width + 1.8);
+            right_ = std::max(right_, names_[i].width + spacing.after_names);
         }
         for (EquationColumn& column : columns_) {
-            if (&column != &columns_.front()) right_ += 2.4;
-            column.middle = right_ + column.width / 2;
-            right_ += column.width;
+            if (&column != &columns_.front()) right_ += spacing.between;
+            const double width =
+                std::max({spacing.column, column.symbol.width + spacing.about, column.line.width + spacing.about_line});
+            column.middle = right_ + width / 2;
+            right_ += width;
         }
     }
 
@@ -258,12 +268,22 @@ Block force_row_names(const DrawingContext& context) {
     return block;
 }
 
-Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body,
-                           bool with_names) {
+Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body, bool with_names,
+                           double most) {
     if (body.polygon < 0 || body.in_parts || is_open(body) || are_parallel(context.solution, body)) return {};
-    std::optional<std::vector<EquationColumn>> columns = equation_columns(context, loads, body);
+    const std::optional<std::vector<EquationColumn>> columns = equation_columns(context, loads, body);
     if (!columns) return {};
-    return ForceEquation(context, std::move(*columns), with_names).drawn(context.theme.colour_of(body.body).letter);
+    // The normal setting first; if it is too wide, closer, then smaller.
+    constexpr std::array spacings{ForceEquation::Spacing{9, 2, 2.4, 2.4, 1.8},
+                                  ForceEquation::Spacing{6.5, 1, 1.4, 1.4, 1.2}};
+    const Colour letters = context.theme.colour_of(body.body).letter;
+    Block block;
+    for (const ForceEquation::Spacing& spacing : spacings) {
+        block = ForceEquation(context, *columns, with_names, spacing).drawn(letters);
+        if (block.width <= most) return block;
+    }
+    constexpr double legible = 0.8;  // letters of lines are not lower than 2.2 mm
+    return block.width * legible <= most ? scaled(block, most / block.width) : Block{};
 }
 
 const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {

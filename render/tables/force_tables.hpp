@@ -2,6 +2,7 @@
 // active forces and reactions body by body. Owns their columns; computes no statics.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "render/page/figure.hpp"
@@ -20,8 +21,10 @@ std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex sta
 std::vector<const FreeBody*> solved_by(const LoadCase& loads, StatementIndex statement);
 
 /// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. An empty block (no
-/// width) if the forces were not found by closing this polygon alone. `loads`: under which the body is cut free.
-Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body, bool with_names);
+/// width) if the forces were not found by closing this polygon alone, or if it has no room in `most` mm even when set
+/// closer and smaller. `loads`: under which the body is cut free.
+Block force_equation_block(const DrawingContext& context, const LoadCase& loads, const FreeBody& body, bool with_names,
+                           double most = std::numeric_limits<double>::infinity());
 /// Only the names of the rows, to stand before several tables side by side.
 Block force_row_names(const DrawingContext& context);
 
