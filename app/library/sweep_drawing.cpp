@@ -84,8 +84,7 @@ ColumnsOnRequest columns_on_request(const SweepOptions& options, const Mechanism
         return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == column.name; });
     };
     const auto is_component_of_named = [&](const Column& column) {
-        const std::string vector = vector_of_component(column);
-        return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == vector; });
+        return std::any_of(named.begin(), named.end(), [&](const Column& each) { return each.name == column.vector; });
     };
     ColumnsOnRequest found;
     for (const Column& column : operands) {

@@ -80,7 +80,7 @@ public:
     explicit ExpressionReader(std::span<const Column> known) : known_(known) {
         for (const Column& column : known) {
             names_.push_back(column.name);
-            if (std::string vector = vector_of_component(column); !vector.empty()) names_.push_back(std::move(vector));
+            if (!column.vector.empty()) names_.push_back(column.vector);
         }
     }
 
@@ -110,8 +110,7 @@ public:
 private:
     bool is_vector_named(std::string_view name) const {
         return std::any_of(known_.begin(), known_.end(), [&](const Column& column) {
-            return result_kind(column.quantity).shape == ResultKind::Shape::vector &&
-                   vector_of_component(column) == name;
+            return result_kind(column.quantity).shape == ResultKind::Shape::vector && column.vector == name;
         });
     }
     /// A function, or all that stands before the next sign; a name of a result where it ends before.
@@ -166,7 +165,7 @@ private:
                          ValueKind{.dimension = dimension_of(*scalar)}};
         std::vector<const Column*> components;
         for (const Column& column : known_)
-            if (vector_of_component(column) == name) components.push_back(&column);
+            if (column.vector == name) components.push_back(&column);
         if (components.size() == 2)
             return Typed{Node{.kind = Node::Kind::vector, .x = part(*components[0]), .y = part(*components[1])},
                          ValueKind{.is_vector = true, .dimension = kinegraph::dimension_of(components[0]->unit)}};
@@ -525,13 +524,6 @@ std::optional<ResultExpression> expression_called(std::string_view name, const M
         known.push_back(read->column());
     }
     return std::nullopt;
-}
-
-std::string vector_of_component(const Column& column) {
-    if (column.kind != Column::Kind::result || column.quantity.component == Quantity::Component::whole) return {};
-    const ResultKind& row = result_kind(column.quantity);
-    if (row.column->size() != 1) return column.name.substr(2);  // "x P13", "x resultant 2"
-    return std::string(*row.column) + column.name.substr(row.column->size() + 1);
 }
 
 }  // namespace kinegraph

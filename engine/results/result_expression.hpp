@@ -79,8 +79,5 @@ NamedExpression named_expression(std::string_view text);
 /// The expression that has this name: a defined result (engine/results/operands.hpp), or one that the exercise of the
 /// mechanism asks for. None: it is no expression.
 std::optional<ResultExpression> expression_called(std::string_view name, const Mechanism& mechanism);
-/// The name of the vector that a component belongs to: "v B" of "vx B", "F A 3 on 2" of "Fx A 3 on 2"; empty for other
-/// columns.
-std::string vector_of_component(const Column& column);
 
 }  // namespace kinegraph

@@ -43,17 +43,17 @@ std::string name_of_column(const Quantity& q, const Mechanism& mechanism, const 
         const std::string axis = q.component == Quantity::Component::x ? "x" : "y";
         name = name.size() > 1 ? axis + " " + name : name + axis;
     }
+    if (!name.empty()) name += " ";
     const auto body = [&](BodyIndex index) { return index == none ? std::string("pin") : mechanism.body(index).name; };
     switch (kind.subject) {
-        case Subject::body: return name + " " + body(q.body);
-        case Subject::path: return name + " " + mechanism.point(q.point).name + " on " + body(q.body);
+        case Subject::body: return name + body(q.body);
+        case Subject::path: return name + mechanism.point(q.point).name + " on " + body(q.body);
         case Subject::action:
         case Subject::component:
-            return name + " " + mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
+            return name + mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
         case Subject::effort:
-            return name + " " +
-                   (kind.on_request ? subject_on_request(q, mechanism) : name_of_effort(mechanism, q.given));
-        default: return name + " " + (kind.on_request && subject.empty() ? subject_on_request(q, mechanism) : subject);
+            return name + (kind.on_request ? subject_on_request(q, mechanism) : name_of_effort(mechanism, q.given));
+        default: return name + (kind.on_request && subject.empty() ? subject_on_request(q, mechanism) : subject);
     }
 }
 
@@ -241,11 +241,18 @@ void add_columns(const Quantity& q, const Mechanism& mechanism, const std::strin
     }
     add(kind.shape == ResultKind::Shape::along ? Column::Kind::along : Column::Kind::result,
         name_of_column(q, mechanism, subject), unit_kind_of(q, mechanism));
+    if (q.component != Quantity::Component::whole)
+        columns.back().vector = name_of_column(q.along(Quantity::Component::whole), mechanism, subject);
 }
 
 Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject) {
     const Quantity whole = vector.along(Quantity::Component::whole);
     return {Column::Kind::result, whole, name_of_column(whole, mechanism, subject), unit_kind_of(whole, mechanism)};
+}
+
+Column modulus_column(const Column& component, const Mechanism& mechanism) {
+    const Quantity whole = component.quantity.along(Quantity::Component::whole);
+    return {Column::Kind::result, whole, component.vector, unit_kind_of(whole, mechanism)};
 }
 
 bool is_modulus(const Column& column) {

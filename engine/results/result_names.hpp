@@ -25,6 +25,8 @@ void add_columns(const Quantity& quantity, const Mechanism& mechanism, const std
 
 /// The length of a vector: "v B", "a B", "F A 3 on 2". `vector` must have the component `whole`.
 Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject);
+/// The same of a vector with this component.
+Column modulus_column(const Column& component, const Mechanism& mechanism);
 bool is_modulus(const Column& column);
 
 /// The symbol of a force or a couple in solutions: F_32 of body 3 on body 2, F_A2 of the pin A; with the joint's name

@@ -38,6 +38,7 @@ struct Column {
     std::optional<Dimension> dimension = std::nullopt;  ///< of an expression or a parameter
     std::optional<Key> said = std::nullopt;             ///< on paper, where it is not called by its name
     bool names_carrier = false;  ///< of a point: as one of several bodies carries it, "vx A on 4"
+    std::string vector = {};     ///< of a component: the name of its vector, "v B" of "vx B"
 };
 
 /// The travel of a driver.

@@ -29,8 +29,7 @@ public:
                 if (x.quantity.kind == Quantity::Kind::centre)
                     return render::typeset(centre_symbol(mechanism_, x.quantity.body, x.quantity.other, false),
                                            language_);
-                return typeset(modulus_column(x.quantity, mechanism_, vector_of_component(x).substr(2)), mechanism_,
-                               language_);
+                return typeset(modulus_column(x, mechanism_), mechanism_, language_);
             }
             case Node::Kind::sum: return sum(of);
             case Node::Kind::product: return product(of);
