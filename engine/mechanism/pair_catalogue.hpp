@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,17 +17,33 @@ struct SpacePair {
     std::string_view key;
     Key name;
     int freedoms;
-    std::string_view motions;    ///< freedoms left: translations t_x …, rotations r_x …
-    std::string_view reactions;  ///< components it can transmit: forces F_x …, couples M_x …
+    struct Components {
+        std::array<std::string_view, 5> free{};  ///< of each other; those behind the last one are empty
+        std::string_view tied = {};              ///< the equation between two more; empty: there is none
+
+        /// "F_x F_y, p F_z = −M_z".
+        std::string in_words() const {
+            std::string words;
+            for (const std::string_view each : free)
+                if (!each.empty()) words += (words.empty() ? "" : " ") + std::string(each);
+            return words + (tied.empty() ? "" : ", ") + std::string(tied);
+        }
+    };
+    Components motions;    ///< freedoms left: translations t_x …, rotations r_x …
+    Components reactions;  ///< components it can transmit: forces F_x …, couples M_x …
     int reaction_count() const { return 6 - freedoms; }
 };
 inline constexpr std::array space_pairs{
-    SpacePair{"revolute", lang::sheet::space_revolute, 1, "r_z", "F_x F_y F_z M_x M_y"},
-    SpacePair{"prismatic", lang::sheet::space_prismatic, 1, "t_z", "F_x F_y M_x M_y M_z"},
-    SpacePair{"helical", lang::sheet::space_helical, 1, "r_z, t_z = p r_z", "F_x F_y M_x M_y, p F_z = −M_z"},
-    SpacePair{"cylindrical", lang::sheet::space_cylindrical, 2, "t_z r_z", "F_x F_y M_x M_y"},
-    SpacePair{"planar", lang::sheet::space_planar, 3, "t_x t_y r_z", "F_z M_x M_y"},
-    SpacePair{"spherical", lang::sheet::space_spherical, 3, "r_x r_y r_z", "F_x F_y F_z"},
+    SpacePair{"revolute", lang::sheet::space_revolute, 1, {{"r_z"}}, {{"F_x", "F_y", "F_z", "M_x", "M_y"}}},
+    SpacePair{"prismatic", lang::sheet::space_prismatic, 1, {{"t_z"}}, {{"F_x", "F_y", "M_x", "M_y", "M_z"}}},
+    SpacePair{"helical",
+              lang::sheet::space_helical,
+              1,
+              {{"r_z"}, "t_z = p r_z"},
+              {{"F_x", "F_y", "M_x", "M_y"}, "p F_z = −M_z"}},
+    SpacePair{"cylindrical", lang::sheet::space_cylindrical, 2, {{"t_z", "r_z"}}, {{"F_x", "F_y", "M_x", "M_y"}}},
+    SpacePair{"planar", lang::sheet::space_planar, 3, {{"t_x", "t_y", "r_z"}}, {{"F_z", "M_x", "M_y"}}},
+    SpacePair{"spherical", lang::sheet::space_spherical, 3, {{"r_x", "r_y", "r_z"}}, {{"F_x", "F_y", "F_z"}}},
 };
 
 /// A hinge of n bodies is equivalent to n − 1 binary ones: each scheme is a tree on the bodies, an edge a binary hinge.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include "engine/number/functions.hpp"
@@ -277,19 +276,16 @@ private:
 
     /// The reactions on each axis: a force at the origin, a couple farther out.
     void draw_reactions() {
-        std::istringstream words{std::string(pair_.reactions)};
-        std::vector<std::string> carried;
-        for (std::string word; words >> word;) carried.push_back(word);
+        const auto& free = pair_.reactions.free;
         const auto carries = [&](const std::string& name) {
-            return std::any_of(carried.begin(), carried.end(),
-                               [&](const std::string& each) { return each.starts_with(name); });
+            return std::find(free.begin(), free.end(), name) != free.end();
         };
         for (const char letter : {'x', 'y', 'z'}) {
             const Spot along = unit(seen(axis(letter, 1)));
             pen_.axis({0, 0}, 17 * along);
             pen_.name(std::string("{") + letter + "}", 17 * along);
             // In a screw F_z and M_z depend on each other by its lead.
-            const bool tied = letter == 'z' && key_ == "helical";
+            const bool tied = letter == 'z' && !pair_.reactions.tied.empty();
             const std::string of = std::string("_") + letter;
             if (carries("F" + of) || tied) pen_.force({0, 0}, 8 * along, "{F" + of + "}", tied);
             if (carries("M" + of) || tied) pen_.couple_along(8.6 * along, 14.5 * along, "{M" + of + "}", tied);

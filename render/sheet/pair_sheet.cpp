@@ -125,10 +125,12 @@ private:
         for (const SpacePair& pair : space_pairs) {
             Card card{capital(say_word(pair.name)), [this, &pair] { return space_pair_figure(context_, pair); }, {}};
             card.lines.push_back(fact(say_word(lang::sheet::class_word), std::to_string(pair.freedoms)));
-            card.lines.push_back(fact(say_word(lang::sheet::freedoms_left),
-                                      std::to_string(pair.freedoms) + " (" + as_formula(pair.motions) + ")"));
-            card.lines.push_back(fact(say_word(lang::sheet::reaction),
-                                      as_formula(pair.reactions) + " (" + std::to_string(pair.reaction_count()) + ")"));
+            card.lines.push_back(
+                fact(say_word(lang::sheet::freedoms_left),
+                     std::to_string(pair.freedoms) + " (" + as_formula(pair.motions.in_words()) + ")"));
+            card.lines.push_back(
+                fact(say_word(lang::sheet::reaction),
+                     as_formula(pair.reactions.in_words()) + " (" + std::to_string(pair.reaction_count()) + ")"));
             card.lines.push_back(fact(say({lang::pairs::closure}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }

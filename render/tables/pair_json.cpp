@@ -1,6 +1,5 @@
 // Pairs as JSON: one line per pair, body or scheme.
 #include <map>
-#include <sstream>
 
 #include "engine/file/json_writer.hpp"
 #include "engine/mechanism/chain.hpp"
@@ -12,21 +11,11 @@ namespace {
 
 constexpr auto on_lines = JsonWriter::Entries::on_lines;
 
-/// Words separated by spaces and commas.
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    std::string part;
-    std::istringstream parts{std::string(text)};
-    while (std::getline(parts, part, ',')) {
-        while (part.starts_with(' ')) part.erase(0, 1);
-        if (part.find('=') != std::string::npos) {
-            words.push_back(part);
-            continue;
-        }
-        std::istringstream single(part);
-        for (std::string word; single >> word;) words.push_back(word);
-    }
-    return words;
+std::vector<std::string_view> all_of(const SpacePair::Components& components) {
+    std::vector<std::string_view> all(components.free.begin(), components.free.end());
+    all.push_back(components.tied);
+    std::erase(all, "");
+    return all;
 }
 
 void write_schemes(const std::vector<std::string>& bodies, JsonWriter& json) {
@@ -88,7 +77,7 @@ std::string pair_catalogue_json() {
     json.close().key("space").open('[', on_lines);
     for (const SpacePair& pair : space_pairs) {
         json.open('{').member("key", pair.key).member("freedoms", pair.freedoms).member("class", pair.freedoms);
-        json.member("motions", words_of(pair.motions)).member("reactions", words_of(pair.reactions)).close();
+        json.member("motions", all_of(pair.motions)).member("reactions", all_of(pair.reactions)).close();
     }
     return json.close().close().take() + '\n';
 }

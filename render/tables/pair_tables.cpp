@@ -179,7 +179,7 @@ std::string pair_catalogue(Language language, TextForm form) {
                              say_word(lang::sheet::reaction), say_word(lang::sheet::components)}};
     for (const SpacePair& pair : space_pairs)
         rows.push_back({say_word(pair.name), std::to_string(pair.freedoms), std::to_string(pair.freedoms),
-                        std::string(pair.motions), std::string(pair.reactions), std::to_string(pair.reaction_count())});
+                        pair.motions.in_words(), pair.reactions.in_words(), std::to_string(pair.reaction_count())});
     page.table(rows);
     page.note(say_word(lang::sheet::axes_of_pairs));
 

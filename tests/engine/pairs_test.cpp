@@ -91,7 +91,9 @@ TEST(Pairs, OnlyASleeveIsCalledASleeve) {
 
 TEST(Catalogue, InSpaceMotionsAndReactionsAreSix) {
     for (const SpacePair& pair : space_pairs) {
-        const auto letters = [](std::string_view text, std::string_view of) {
+        const auto letters = [](const SpacePair::Components& components, std::string_view of) {
+            const std::string words = components.in_words();
+            const std::string_view text = words;
             std::set<std::string_view> different;
             for (std::size_t i = 0; i + 2 < text.size(); ++i)
                 if (of.find(text[i]) != std::string_view::npos && text[i + 1] == '_')
