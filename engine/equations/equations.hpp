@@ -25,6 +25,7 @@ struct Equations {
         std::string symbol;  ///< "a", "alpha"
         std::string sub;     ///< "", "1"
         bool is_angle = false;
+        bool is_radius = false;  ///< of a wheel
         enum class Role { given, free, dependent } role = Role::given;
         std::string name;          ///< for a variable: "theta 3", "s D", "phi P"; empty for a given letter
         BodyIndex body = none;     ///< the body whose rotation it is

@@ -83,6 +83,7 @@ LetterIndex Letters::radius(const Exact& reach, BodyIndex body) {
         if (of == body && drawn_.is_nothing(known - abs(reach))) return letter;
     Letter letter;
     letter.symbol = "R";
+    letter.is_radius = true;
     letter.sub = drawn_.name_of(body);
     letter.body = body;
     for (const auto& each : radii_)

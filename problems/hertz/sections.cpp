@@ -186,7 +186,7 @@ std::vector<ProblemSection> hertz_sections(const DrawingContext& context) {
              {lang::hertz::stresses_below_the_surface},
              {figure("stresses", hertz_stress_figure, 0.9)},
              text.stresses()},
-            {"hypotheses", {lang::common::heading_hypotheses}, {}, HertzText::hypotheses()}};
+            hypotheses_section(HertzText::hypotheses())};
 }
 
 }  // namespace kinegraph::render

@@ -192,7 +192,7 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
              {lang::impact::restitution_and_energy},
              {figure("restitution", impact_restitution_figure, 0.7)},
              text.restitution()},
-            {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::impact::the_impact_takes_no_time_places}}}};
+            hypotheses_section({{lang::impact::the_impact_takes_no_time_places}})};
 }
 
 }  // namespace kinegraph::render

@@ -367,8 +367,7 @@ std::vector<ProblemSection> point_sections(const DrawingContext& context) {
         }
         sections.push_back(std::move(section));
     }
-    sections.push_back(
-        {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::point_motion::the_axes_are_fixed_derivatives}}});
+    sections.push_back(hypotheses_section({{lang::point_motion::the_axes_are_fixed_derivatives}}));
     return sections;
 }
 

@@ -149,8 +149,7 @@ std::vector<ProblemSection> positions_sections(const DrawingContext& context) {
         ProblemFigure figure{"pivots", [&context](double x, double y) { return pivots_figure(context, x, y); }, 1.1};
         sections.push_back({"pivots", {lang::finite_positions::fixed_pivots}, {std::move(figure)}, text.pivots()});
     }
-    sections.push_back(
-        {"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::finite_positions::the_body_is_rigid_only}}});
+    sections.push_back(hypotheses_section({{lang::finite_positions::the_body_is_rigid_only}}));
     return sections;
 }
 

@@ -164,7 +164,7 @@ std::vector<ProblemSection> reye_sections(const DrawingContext& context) {
                                          {"hypothesis", {lang::reye::reye_hypothesis}, {}, text.hypothesis()},
                                          {"pressure", {lang::reye::equilibrium}, plots, text.equilibrium()}};
     if (found.worn) sections.push_back({"wear", {lang::reye::heading_depth_worn_off}, {}, text.wear()});
-    sections.push_back({"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::reye::the_bodies_are_rigid}}});
+    sections.push_back(hypotheses_section({{lang::reye::the_bodies_are_rigid}}));
     return sections;
 }
 

@@ -156,9 +156,11 @@ RichText ExercisePhrases::positive_sense(const Bearing& of) const {
     return filled(lang::sheet::positive_along, {way(of)});
 }
 
-RichText ExercisePhrases::subject_of_action(BodyIndex body, std::string_view preposition) const {
-    return preposition == "on" ? called(body, lang::sheet::on_the_frame, lang::sheet::on_the_body)
-                               : called(body, lang::sheet::from_the_frame, lang::sheet::from_the_body);
+RichText ExercisePhrases::acting_on(BodyIndex body) const {
+    return called(body, lang::sheet::on_the_frame, lang::sheet::on_the_body);
+}
+RichText ExercisePhrases::acting_from(BodyIndex body) const {
+    return called(body, lang::sheet::from_the_frame, lang::sheet::from_the_body);
 }
 
 }  // namespace kinegraph::render

@@ -55,8 +55,9 @@ protected:
     /// Between points that the file names, otherwise by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const;
     RichText positive_sense(const Bearing& of) const;
-    /// "on body 3", "from the frame".
-    RichText subject_of_action(BodyIndex body, std::string_view preposition) const;
+    /// "on body 3", "on the frame".
+    RichText acting_on(BodyIndex body) const;
+    RichText acting_from(BodyIndex body) const;
 
     const DrawingContext& context_;
     const Solution& solution_;

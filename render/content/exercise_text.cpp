@@ -287,9 +287,9 @@ private:
 
     void add_effort(const ActuatorEffort& effort) {
         const Joint& joint = mechanism_.joint(effort.joint);
-        say(lang::sheet::sought_actuator, {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point),
-                                           subject_of_action(joint.bodies[0], "on"),
-                                           subject_of_action(joint.bodies[1], "from"), positive_sense(effort.joint)});
+        say(lang::sheet::sought_actuator,
+            {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point), acting_on(joint.bodies[0]),
+             acting_from(joint.bodies[1]), positive_sense(effort.joint)});
     }
 
     /// Adds the positive sense of an input force or of an input couple between two bodies. A couple from the frame
@@ -297,15 +297,14 @@ private:
     void add_sense(const Effort& effort) {
         if (const auto* couple = std::get_if<CoupleEffort>(&effort); couple != nullptr && couple->from != frame)
             say(lang::sheet::sense_of_couple_between,
-                {symbol_of_force(couple->name, Symbol::Letter::M), subject_of_action(couple->body, "on"),
-                 subject_of_action(couple->from, "from")});
+                {symbol_of_force(couple->name, Symbol::Letter::M), acting_on(couple->body), acting_from(couple->from)});
         if (const auto* force = std::get_if<ForceEffort>(&effort))
-            say(lang::sheet::sense_of_effort, {symbol_of_force(force->name, Symbol::Letter::F),
-                                               subject_of_action(force->body, "on"), positive_sense(force->along)});
+            say(lang::sheet::sense_of_effort, {symbol_of_force(force->name, Symbol::Letter::F), acting_on(force->body),
+                                               positive_sense(force->along)});
         if (const auto* actuator = std::get_if<ActuatorEffort>(&effort))
-            say(lang::sheet::sense_of_effort, {symbol_of_force(actuator->name, Symbol::Letter::F),
-                                               subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"),
-                                               positive_sense(actuator->joint)});
+            say(lang::sheet::sense_of_effort,
+                {symbol_of_force(actuator->name, Symbol::Letter::F),
+                 acting_on(mechanism_.joint(actuator->joint).bodies[0]), positive_sense(actuator->joint)});
     }
 };
 

@@ -31,7 +31,7 @@ void LettersTable::write_letters() {
 Formula LettersTable::what_is(LetterIndex index) const {
     const Letter& own = pen_.letter(index);
     if (own.role != Letter::Role::given) return Formula::upright(pen_.described(index));
-    if (own.symbol == "R")
+    if (own.is_radius)
         return Formula::upright(pen_.in(Words(lang::equations::radius_on_body, mechanism_.body(own.body).name)));
     if (own.is_angle) return Formula::upright(pen_.in({lang::equations::fixed_angle}));
     Formula ends = ends_of(index);

@@ -373,18 +373,10 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre) {
     const Spot at = sketch.spot(centre.at->place());
     for (const Joint& joint : sketch.mechanism.joints)
         if (coincide(sketch.spot(joint), at)) return;
+    if (!sketch.poles.emplace(centre.first, centre.second).second) return;
     const RichText name = typeset(symbol_of(sketch.mechanism, centre), sketch.context.language);
     for (LabelRequest& label : sketch.labels)
-        if (!label.toward && coincide(label.anchor, at)) {
-            const auto is_same = [](const Piece& one, const Piece& other) {
-                return one.text == other.text && one.sub == other.sub && one.sup == other.sup;
-            };
-            if (std::search(label.text.begin(), label.text.end(), name.begin(), name.end(), is_same) ==
-                label.text.end()) {
-                label.add_name(name);
-            }
-            return;
-        }
+        if (!label.toward && coincide(label.anchor, at)) return label.add_name(name);
     sketch.centres.emplace_back(disc(at, 0.8, sketch.theme.text));
     belong(sketch.centres, sketch.centres.size() - 1, centre.statement);
     sketch.add_label(name, sketch.theme.text, at, 1.7, centre.statement);

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/motion/positions.hpp"
@@ -33,6 +34,7 @@ public:
         : Layout(of, drawing.theme, metres_per_millimetre), context(drawing), figure_(std::move(figure)) {}
 
     const DrawingContext& context;
+    std::set<std::pair<BodyIndex, BodyIndex>> poles;  ///< absolute centres drawn by draw_pole()
     std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow; the ground symbol turns away from these
 
     /// An id that is unique within the figure.

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lang/keys/common.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/page/block.hpp"
 #include "render/page/figure.hpp"
@@ -32,7 +34,12 @@ struct ProblemSection {
     std::vector<Words> sentences;  ///< in the notation of formula(); a line break begins an equation on its own line
     std::size_t found = 0;         ///< in a section of given data: number of its last sentences that a question hides
     std::vector<PieceAfter> pieces = {};  ///< formulas and tables between the sentences
+    bool is_after_results = false;        ///< the results stand before it
 };
+/// The last section.
+inline ProblemSection hypotheses_section(std::vector<Words> sentences) {
+    return {"hypotheses", {lang::common::heading_hypotheses}, {}, std::move(sentences), 0, {}, true};
+}
 /// In reading order, for the kind of the problem; app/library/problem_kinds.cpp defines this function. Results and
 /// remarks are not included, since they are the same for all problems.
 std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);

@@ -99,8 +99,7 @@ protected:
         figures_ = figures_before_;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) {
-            // Results stand before the hypotheses.
-            if (sections_[s].question == "hypotheses") add(all, results(s));
+            if (sections_[s].is_after_results) add(all, results(s));
             add(all, this->section(s, figure_height));
         }
         add(all, remarks(sections_.size()));
