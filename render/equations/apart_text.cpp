@@ -8,18 +8,19 @@
 #include "lang/keys/common.hpp"
 #include "lang/keys/equations.hpp"
 #include "lang/keys/notation.hpp"
+#include "render/equations/equation_chapters.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-using Kind = EquationItem::Kind;
 using Apart = RelativeMotion::Apart;
 
-class ApartText {
+class ApartText : closure::EquationList {
 public:
     ApartText(const Solution& solution, const RelativeMotion& motion, Language language)
-        : mechanism_(solution.mechanism),
+        : EquationList(language),
+          mechanism_(solution.mechanism),
           pose_(solution.pose),
           motion_(motion),
           apart_(*motion.apart),
@@ -30,17 +31,11 @@ public:
         write_transport();
         write_seen();
         write_coriolis();
-        return std::move(items_);
+        return taken();
     }
 
 private:
     std::string in(const Words& words) const { return kinegraph::in(words, language_); }
-    void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
-    void announce(const Words& words) {
-        say(words);
-        items_.back().announces = true;
-    }
-    void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
     const std::string& body() const { return mechanism_.body(motion_.query.observer).name; }
     const std::string& point() const { return mechanism_.point(motion_.query.point).name; }
     const std::string& origin() const { return mechanism_.point(apart_.origin).name; }
@@ -63,7 +58,7 @@ private:
     }
 
     void write_axes() {
-        items_.push_back({Kind::heading, in(Words(lang::equations::seen_from_body, body())), {}, {}});
+        heading(Words(lang::equations::seen_from_body, body()));
         if (apart_.towards == none)
             say(Words(lang::equations::moving_axes_on_body_origin_x, body(), origin()));
         else
@@ -128,7 +123,7 @@ private:
              {a(rel), upright(in({lang::equations::seen_by_the_observer})), *motion_.relative_acceleration},
              {a(point()), a(tr) + Formula::sign("+") + a(cor) + Formula::sign("+") + a(rel), *motion_.acceleration}},
             QuantityKind::acceleration);
-        items_.push_back({Kind::table, {}, {}, std::move(rows)});
+        table(std::move(rows));
     }
 
     Vector axis() const {
@@ -170,7 +165,6 @@ private:
     const RelativeMotion& motion_;
     const Apart& apart_;
     Language language_;
-    std::vector<EquationItem> items_;
 };
 
 }  // namespace

@@ -20,12 +20,12 @@ namespace kinegraph::render::closure {
 
 class EquationList {
 public:
-    explicit EquationList(Language language) : language_(language) {}
+    explicit EquationList(Language language) : in_language_(language) {}
 
     void heading(const Words& words, bool is_apart = false) {
-        items_.push_back({EquationItem::Kind::heading, in(words, language_), {}, {}, is_apart});
+        items_.push_back({EquationItem::Kind::heading, in(words, in_language_), {}, {}, is_apart});
     }
-    void say(const Words& words) { say_text(in(words, language_)); }
+    void say(const Words& words) { say_text(in(words, in_language_)); }
     /// A sentence that stays with the formula or the table after it.
     void announce(const Words& words) {
         say(words);
@@ -39,7 +39,7 @@ public:
     std::vector<EquationItem> taken() { return std::move(items_); }
 
 private:
-    Language language_;
+    Language in_language_;
     std::vector<EquationItem> items_;
 };
 

@@ -8,12 +8,12 @@
 #include "engine/solution/solution.hpp"
 #include "lang/keys/equations.hpp"
 #include "lang/keys/sheet.hpp"
+#include "render/equations/equation_chapters.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-using Kind = EquationItem::Kind;
 using Entry = VirtualWork::Entry;
 using Share = VirtualWork::Share;
 
@@ -126,30 +126,23 @@ protected:
     double largest_ = 0;  // relative to which smaller numbers vanish
 };
 
-class WorkText : WorkFormulas {
+class WorkText : WorkFormulas, closure::EquationList {
 public:
-    WorkText(const Solution& solution, Language language) : WorkFormulas(solution, language) {}
+    WorkText(const Solution& solution, Language language) : WorkFormulas(solution, language), EquationList(language) {}
 
     std::vector<EquationItem> items() {
-        items_.push_back({Kind::heading, in(Words(lang::equations::virtual_work)), {}, {}, true});
+        heading({lang::equations::virtual_work}, true);
         if (!found_.why_not.empty()) {
             say(Words(lang::equations::there_are_no_virtual_displacements, found_.why_not));
-            return std::move(items_);
+            return taken();
         }
         for (std::size_t i = 0; i < found_.freedoms.size(); ++i) write_drawn(i);
         write_efforts();
         write_ratios();
-        return std::move(items_);
+        return taken();
     }
 
 private:
-    void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
-    void announce(const Words& words) {
-        say(words);
-        items_.back().announces = true;
-    }
-    void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
-
     // --- the displacements drawn
     // ----------------------------------------------------------------------------------------------
 
@@ -171,7 +164,7 @@ private:
             if (!entry.couple.is_zero()) rows.push_back(couple_row(entry, q));
         }
         for (const Share& share : work.shares) rows.push_back(share_row(share, q));
-        items_.push_back({Kind::table, {}, {}, std::move(rows)});
+        table(std::move(rows));
         announce({lang::equations::ideal_pairs_do_no_work});
         set(Formula::letter("delta") + Formula::letter(notation(language_).work) + Formula::sign("=") + symbols(work) +
             Formula::sign("=") + upright("0"));
@@ -180,7 +173,7 @@ private:
     void say_what_moves(const Displacements::Freedom& freedom) {
         const std::string others =
             found_.freedoms.size() > 1 ? in({lang::equations::the_other_coordinates_are_held_still}) : std::string();
-        const auto said = [&](const Words& words) { items_.push_back({Kind::words, in(words) + others, {}, {}}); };
+        const auto said = [&](const Words& words) { say_text(in(words) + others); };
         if (freedom.chosen)
             said(Words(lang::equations::constraints_held_as_they_stand, spoken(freedom)));
         else
@@ -307,7 +300,7 @@ private:
         if (!std::all_of(found_.freedoms.begin(), found_.freedoms.end(),
                          [](const auto& each) { return each.equations->why_not.empty(); }))
             return;
-        items_.push_back({Kind::heading, in(Words(lang::equations::the_same_by_velocity_ratios)), {}, {}});
+        heading({lang::equations::the_same_by_velocity_ratios});
         for (const Displacements::Freedom& freedom : found_.freedoms) write_ratios_of(freedom);
         if (found_.efforts.empty()) return;
         bool said = false;
@@ -342,7 +335,7 @@ private:
             const Formula symbol = force(symbol_of(share.effort));
             rows.push_back({symbol, ratios_of(equations, share.effort), per_effort(*own, share.effort) + symbol});
         }
-        items_.push_back({Kind::table, {}, {}, std::move(rows)});
+        table(std::move(rows));
     }
     Formula ratios_of(const Equations& equations, BodyIndex of, const Vector& place, bool is_force) {
         const auto& state = equations.bodies[at_index(of)];
@@ -372,8 +365,6 @@ private:
         const BodyIndex on = joint.bodies[0] == frame ? joint.bodies[1] : joint.bodies[0];
         return ratios_of(equations, on, place, true);
     }
-
-    std::vector<EquationItem> items_;
 };
 
 }  // namespace
