@@ -2,9 +2,12 @@
 // is cut or covered; what a question says of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <type_traits>
 
+#include "engine/results/quantity_name.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/result_values.hpp"
 #include "render/figures/figure.hpp"
@@ -95,6 +98,33 @@ TEST(TerminalTable, HasEveryPartOfARelativeMotion) {
     });
     EXPECT_GE(parts, 5U);
 }
+
+class TerminalNumbers : public testing::TestWithParam<const char*> {};
+/// A component that equilibrium gives alone has four digits, all others have six.
+TEST_P(TerminalNumbers, AreAllScalarsFound) {
+    const Solution& solution = tests::example(GetParam());
+    const std::string table = results_table(solution, Language::en);
+    std::size_t scalars = 0;
+    for_each_sought(solution, [&](const Quantity& quantity, const auto& found, const auto& /*of*/) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(found)>, Recorded<Exact>>) {
+            if (!found) return;
+            const Unit unit = unit_of(unit_kind_of(quantity, solution.mechanism), solution.mechanism.units);
+            const int digits = quantity.kind == Quantity::Kind::force_component ? 4 : 6;
+            const std::string text = number((*found / unit.si).to_double(), digits, Language::en);
+            EXPECT_NE(table.find(text), std::string::npos) << name_of(quantity, solution) << " = " << text;
+            ++scalars;
+        }
+    });
+    EXPECT_GE(scalars, 1U);
+}
+INSTANTIATE_TEST_SUITE_P(Examples, TerminalNumbers,
+                         testing::Values("truss_simple", "plate_under_forces", "redundant/movable_pulley", "cantilever",
+                                         "engine_inertia_gas", "virtual_work"),
+                         [](const auto& each) {
+                             std::string name = each.param;
+                             std::replace(name.begin(), name.end(), '/', '_');
+                             return name;
+                         });
 
 TEST(QuestionOfEquations, ShowsTheLoopsThatGiveTheLetters) {
     auto mechanism = read_mechanism(tests::contents(tests::example_file("four_bar")), "four_bar.json");
