@@ -69,7 +69,9 @@ public:
         if (!columns) return wrong(columns.error());
         plots = *std::move(columns);
         table.followed = cycle_->follow(*travel, efforts());
-        if (const auto beyond = beyond_work()) return wrong(*beyond);
+        // No number of rows would help.
+        if (cycle_->is_spent())
+            return wrong({lang::sweeps::sizes_too_different_between_rows, std::to_string(most_planned_millions)});
         const auto pairs = app::centrode_pairs_of(options_.centrodes, mechanism, options_.dashes);
         if (!pairs) return wrong(pairs.error());
         for (const auto& [first, second] : *pairs) add_centrodes(first, second);
@@ -144,8 +146,7 @@ public:
 
     std::optional<Words> beyond_work() const override {
         if (!cycle_->is_spent()) return std::nullopt;
-        constexpr std::size_t million = 1'000'000;
-        return Words(lang::sweeps::sizes_too_different_for_a_sweep, std::to_string(most_planned_bits / million),
+        return Words(lang::sweeps::sizes_too_different_for_a_sweep, std::to_string(most_planned_millions),
                      options_.dashes);
     }
 

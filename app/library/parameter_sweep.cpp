@@ -165,9 +165,7 @@ public:
 
     std::optional<Words> beyond_work() const override {
         if (spent_ <= most_planned_bits) return std::nullopt;
-        constexpr std::size_t million = 1'000'000;
-        return Words(lang::sweeps::over_takes_too_many_bits, options_.dashes,
-                     std::to_string(most_planned_bits / million));
+        return Words(lang::sweeps::over_takes_too_many_bits, options_.dashes, std::to_string(most_planned_millions));
     }
     std::vector<Words> summary() const override {
         std::vector<Words> lines;

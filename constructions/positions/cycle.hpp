@@ -55,7 +55,7 @@ struct FlankChange {
 /// each of which takes 2 to 7 ns. Positions are planned where doubles do not tell a quantity from zero, so a cycle
 /// whose quantities differ by 10^12 plans all of them.
 constexpr int always_planned = 100;
-constexpr std::size_t most_planned_bits = 250'000'000;
+constexpr std::size_t most_planned_millions = 500, most_planned_bits = most_planned_millions * 1'000'000;
 
 class Cycle {
 public:

@@ -73,9 +73,13 @@ TEST_F(Limits, OfPositionsThatNeedExactNumbers) {
         std::ofstream(folder_ / "chain.json") << file;
     };
     turned("1e-60");
-    expect_refused("sweep chain.json -o out.csv",
-                   "quantities differ so much in size .* at most 250 million bits of them");
-    expect_refused("sweep chain.json -o out.svg", "quantities differ so much in size .* take fewer --steps");
+    const std::string between = "quantities differ so much in size that what is between the rows needs more than 500 ";
+    expect_refused("sweep chain.json -o out.csv", between);
+    expect_refused("sweep chain.json -o out.svg --steps 4", between);
+    // Fewer rows are named as the remedy where they are one.
+    turned("5e-6");
+    expect_refused("sweep chain.json -o out.csv", "quantities differ so much in size .* take fewer --steps");
+    EXPECT_EQ(run("sweep chain.json --steps 24 -o out.csv").status, 0);
     turned("1e-3");
     EXPECT_EQ(run("sweep chain.json -o out.csv").status, 0);
 }
@@ -92,7 +96,7 @@ TEST_F(Limits, OfASweepOverAParameter) {
     file["parameters"]["n"] = "1." + std::string(990, '3') + " rpm";
     std::ofstream(folder_ / "chain.json") << file;
     std::filesystem::remove(folder_ / "out.csv");
-    expect_refused(over + "--steps 3700", "--over: the values need more than 250 million bits .* fewer --steps");
+    expect_refused(over + "--steps 3700", "--over: the values need more than 500 million bits .* fewer --steps");
 }
 
 TEST_F(Limits, OfSheetsAndSteps) {
