@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/number/assert.hpp"
 #include "render/content/kept_scales.hpp"
 #include "render/content/sheet_parts.hpp"
 #include "render/content/wanted_figures.hpp"
@@ -69,8 +70,11 @@ public:
     /// The common scales of force polygons between this one and the next finer one of the series, the finest first,
     /// where the largest polygon is smaller than `enough` mm.
     std::vector<double> force_scales_between(double scale, double enough) const;
+    /// Only of a size that is drawn.
     const Figure& drawing(std::size_t figure, const FigureSize& size) const {
-        return *drawings_[figure][size.drawing].figure;
+        const std::optional<Figure>& drawn = drawings_[figure][size.drawing].figure;
+        KG_ASSERT(drawn, "a plan draws what it chooses");
+        return *drawn;
     }
     /// By how many mm the room of a drawing must be wider to hold the equations of its band in one of its corners.
     /// Infinity: no room is wide enough.
