@@ -275,7 +275,7 @@ Block force_equation_block(const DrawingContext& context, const LoadCase& loads,
     if (!columns) return {};
     // The normal setting first; if it is too wide, closer, then smaller.
     constexpr std::array spacings{ForceEquation::Spacing{9, 2, 2.4, 2.4, 1.8},
-                                  ForceEquation::Spacing{6.5, 1, 1.4, 1.4, 1.2}};
+                                  ForceEquation::Spacing{6.5, 2, 1.4, 2, 1.2}};
     const Colour letters = context.theme.colour_of(body.body).letter;
     Block block;
     for (const ForceEquation::Spacing& spacing : spacings) {
