@@ -417,9 +417,12 @@ bool reads_as_one(const Bar& arrow, const std::vector<Bar>& others) {
 }
 Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; }
 
-/// A resultant acts on nothing: its shaft is thinner.
+/// A resultant acts on nothing: its shaft is thinner, and dashed.
 double width_of(const AppliedForce& applied, const Theme& theme) {
     return applied.is_resultant() ? theme.outline : theme.vector;
+}
+std::vector<double> dashes_of(const AppliedForce& applied) {
+    return applied.is_resultant() ? long_dashes() : std::vector<double>{};
 }
 
 bool acts_at_centre(const AppliedForce& applied) {
@@ -619,7 +622,7 @@ private:
                                                on_force(to_scale ? Form::arrow : Form::with, held)});
         if (to_scale) sketch_.arrows.emplace_back(Axis{arrow.from, arrow.to});
         draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? width_of(applied, theme) : theme.outline,
-                   colour_.line);
+                   colour_.line, dashes_of(applied));
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
         // A force that is drawn again where a couple moves it has its value once.
@@ -681,7 +684,7 @@ private:
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
-        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line);
+        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line, long_dashes());
         belong(sketch_.arrows, first, applied.force_statement);
         hang(sketch_.arrows, first, {Form::arrow, {point, held}});
         const Unit& unit = sketch_.mechanism.units.length;
@@ -810,7 +813,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     const Bar arrow = free_arrow(clutter, applied, at, standing);
     standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
-    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.outline, colour.line);
+    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.outline, colour.line, dashes_of(applied));
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, on_force(Form::with, held));
     clutter.add(arrow.from, arrow.to);

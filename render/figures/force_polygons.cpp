@@ -155,10 +155,12 @@ private:
             PolygonLine diagonal;
             diagonal.from = spot(scale, start);
             diagonal.to = spot(scale, end->tip);
-            diagonal.pen = {context_.theme.outline, context_.theme.text, {}, false};
+            diagonal.pen = {context_.theme.outline, context_.theme.text, long_dashes(), false};
             diagonal.mark = typeset(sum.symbol, context_.language);
             diagonal.mark_at = 0.5 * (diagonal.from + diagonal.to);
             diagonal.mark_toward = diagonal.to;
+            diagonal.mark_along = false;
+            diagonal.is_arrow = true;
             diagonal.statement = end->statement;
             parts.lines.push_back(std::move(diagonal));
         }

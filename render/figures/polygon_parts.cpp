@@ -143,11 +143,16 @@ private:
 
     void draw_lines() {
         for (const PolygonLine& each : parts_.lines) {
-            figure_.marks.emplace_back(line(each.from, each.to, each.pen));
-            belong(figure_.marks, figure_.marks.size() - 1, each.statement);
+            const std::size_t first = figure_.marks.size();
+            if (each.is_arrow)
+                draw_arrow(figure_.marks, each.from, each.to, each.pen.width, each.pen.colour, each.pen.dashes);
+            else
+                figure_.marks.emplace_back(line(each.from, each.to, each.pen));
+            belong(figure_.marks, first, each.statement);
             if (each.mark.empty()) continue;
             LabelRequest& mark =
-                ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
+                ask_label(each.mark, each.is_arrow ? theme_.equation : theme_.small,
+                          each.is_arrow ? theme_.text : theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
             mark.along = each.mark_along;
         }

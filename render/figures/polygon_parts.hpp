@@ -22,6 +22,7 @@ struct PolygonLine {
     RichText mark;  ///< empty: none
     Spot mark_at, mark_toward;
     bool mark_along = true;  ///< the label is turned with the line
+    bool is_arrow = false;   ///< a sum of vectors: it has a head, and a label as vectors have
     StatementIndex statement = none;
 };
 struct PolygonVector {

@@ -206,6 +206,11 @@ const std::vector<double>& dashes() {
     return pattern;
 }
 
+const std::vector<double>& long_dashes() {
+    static const std::vector<double> pattern{4, 1};
+    return pattern;
+}
+
 std::vector<double> going_round(std::vector<double> dashes, double length) {
     double period = 0;
     for (const double dash : dashes) period += dash;

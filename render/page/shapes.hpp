@@ -13,9 +13,11 @@
 
 namespace kinegraph::render {
 
-/// Line kinds: dash-dot for axes and lines of action, dashed for auxiliary sides.
+/// Line kinds: dash-dot for axes and lines of action, dashed for internal sides, long dashes for vectors that act on
+/// nothing: resultants, and forces in the place from which a couple moves them.
 const std::vector<double>& dash_dot();
 const std::vector<double>& dashes();
+const std::vector<double>& long_dashes();
 
 /// Stretches or shrinks a dash pattern a little, so that a whole number of periods fits the length of a closed curve.
 std::vector<double> going_round(std::vector<double> dashes, double length);
