@@ -341,7 +341,7 @@ private:
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, false);
-        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == frame) {
+        if (where_[c] == Where::far && counted_from_[c]) {
             // "P_13 (O4 P_13 = 1.84 m)": the segment that does not fit into the drawing.
             append(label.text, how_far(sketch_, counted_from_[c]->name, name_of_centre(c),
                                        length(place_[c] - counted_from_[c]->at)));

@@ -142,7 +142,7 @@ private:
                 example_ = Example{text, applied.from, body.body};
             if (applied.joint != none) {
                 const PointIndex at = mechanism_.joints[at_index(applied.joint)].point;
-                append(text, " (");
+                append(text, "\u00a0(");
                 append(text, typeset(Symbol{Symbol::Letter::point, mechanism_.points[at_index(at)].name, ""},
                                      context_.language));
                 append(text, ")");
@@ -160,7 +160,7 @@ private:
         const Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
                           own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed, applied.symbol.term};
         RichText action = typeset(back, context_.language);
-        append(action, " = −");
+        append(action, "\u00a0=\u00a0−");
         append(action, symbol_of(applied));
         return action;
     }
