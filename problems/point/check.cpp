@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace kinegraph {
 namespace {
@@ -60,21 +61,38 @@ private:
         }
         return on_graph(std::get<GraphPath>(*problem_.path), s);
     }
-    /// dx/ds = 1/(1 + f′²)^½ by Runge–Kutta; then, with x known, y = f(x).
-    Motion on_graph(const GraphPath& path, const Jet& s) const {
-        const auto curve = [&](double x) { return jet_of(path.f.law, problem_.constants, x); };
+    /// dx/ds = 1/(1 + f′²)^½, of the way s from the start: by Runge–Kutta in steps as short as the bends of the path
+    /// want. Twice half a step tells the error of a step as a way along the path, which stays the same from then on.
+    double x_after(const GraphPath& path, double way) const {
         const auto rate = [&](double x) {
-            const double slope = curve(x)[1];
+            const double slope = jet_of(path.f.law, problem_.constants, x)[1];
             return 1 / std::sqrt(1 + slope * slope);
         };
-        constexpr int steps = 4000;
-        const double step = s[0] / steps;
-        double x = path.start.to_double();
-        for (int i = 0; i < steps; ++i) {
+        const auto stepped = [&](double x, double step) {
             const double a = rate(x), b = rate(x + step * a / 2), c = rate(x + step * b / 2), d = rate(x + step * c);
-            x += step * (a + 2 * b + 2 * c + d) / 6;
+            return x + step * (a + 2 * b + 2 * c + d) / 6;
+        };
+        constexpr double longest = 1.0 / 200, shortest = 1e-22, fine = 1e-15;
+        constexpr double grain = 4 * std::numeric_limits<double>::epsilon();
+        double x = path.start.to_double(), done = 0, share = longest;  // shares of the way
+        for (int i = 0; i < 20'000 && done < 1; ++i) {
+            const bool is_last = share >= 1 - done;
+            const double step = way * (is_last ? 1 - done : share);
+            const double whole = stepped(x, step), halves = stepped(stepped(x, step / 2), step / 2);
+            const double error = std::abs(halves - whole) / (15 * rate(halves));
+            const double allowed = fine * std::abs(way) + grain * std::abs(x) / rate(x);
+            if (error <= allowed || share <= shortest) {
+                x = halves + (halves - whole) / 15;
+                done = is_last ? 1 : done + share;
+            }
+            const double factor = error > 0 ? 0.9 * std::pow(allowed / error, 0.2) : error == 0 ? 4 : 0;
+            share = std::min(longest, share * std::clamp(factor, 0.1, 4.0));
         }
-        const Jet f = curve(x);
+        return done < 1 ? std::numeric_limits<double>::quiet_NaN() : x;
+    }
+    Motion on_graph(const GraphPath& path, const Jet& s) const {
+        const double x = x_after(path, s[0]);
+        const Jet f = jet_of(path.f.law, problem_.constants, x);
         const double way = 1 + f[1] * f[1], first = s[1] / std::sqrt(way);
         const double second = s[2] / std::sqrt(way) - f[1] * f[2] * first * first / way;
         return {Complex(x, f[0]), Complex(first, f[1] * first), Complex(second, f[2] * first * first + f[1] * second)};

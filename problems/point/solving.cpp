@@ -96,8 +96,8 @@ private:
         const double slope = unit / per * estimate(of_path_.by_order[1], constants_, x / per).value;
         return std::sqrt(1 + slope * slope);
     }
-    double length_between(double from, double to) const {
-        // Gauss quadrature with five nodes.
+    /// Gauss quadrature with five nodes.
+    double roughly_between(double from, double to) const {
         constexpr std::array<double, 3> places{0, 0.53846931010568309, 0.90617984593866399};
         constexpr std::array<double, 3> weights{0.56888888888888889, 0.47862867049936647, 0.23692688505618909};
         const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -106,14 +106,39 @@ private:
             sum += weights.at(i) * (rate(middle + half * places.at(i)) + rate(middle - half * places.at(i)));
         return sum * half;
     }
+    /// In parts as short as the bends of the path want: a part is short enough when its halves give the same.
+    double length_between(double from, double to) const {
+        struct Part {
+            double from, to, length;
+        };
+        std::vector<Part> left{{from, to, roughly_between(from, to)}};
+        const double same = 1e-15 * std::abs(left.front().length);
+        double sum = 0;
+        for (int parts = 0; !left.empty(); ++parts) {
+            const Part part = left.back();
+            left.pop_back();
+            const double middle = (part.from + part.to) / 2;
+            const double first = roughly_between(part.from, middle), second = roughly_between(middle, part.to);
+            constexpr int most = 400;
+            if (parts >= most || !(std::abs(first + second - part.length) > same)) {
+                sum += first + second;
+                continue;
+            }
+            left.push_back({part.from, middle, first});
+            left.push_back({middle, part.to, second});
+        }
+        return sum;
+    }
     bool step(double way) {
-        double x = x_ + way / rate(x_);
-        constexpr int most = 30;
+        double x = x_ + way / rate(x_), before = std::numeric_limits<double>::infinity();
+        constexpr int most = 1100;  // from far beyond a tight bend each pass halves what is missing
         for (int i = 0; i < most; ++i) {
-            const double missing = way - length_between(x_, x);
+            const double missing = way - length_between(x_, x), size = std::abs(way) + std::abs(way_);
             if (!std::isfinite(missing)) return false;
             x += missing / rate(x);
-            if (std::abs(missing) <= 1e-15 * (std::abs(way) + std::abs(way_))) break;
+            const bool is_rounding = std::abs(missing) <= 1e-12 * size && std::abs(missing) >= before;
+            if (std::abs(missing) <= 1e-15 * size || is_rounding) break;
+            before = std::abs(missing);
         }
         x_ = x;
         return true;

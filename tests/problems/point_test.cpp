@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
@@ -71,6 +74,30 @@ TEST(PointMotion, CirclesHaveTheirRadiusAndCentre) {
     EXPECT_NEAR(accelerated.across, 9 / 2.0, 1e-14);
     EXPECT_NEAR(accelerated.radius, 2, 1e-14);
     EXPECT_NEAR(accelerated.way, 3, 1e-14);
+}
+
+// y = x²/2p: s = (x √(p² + x²)/p + p arsinh(x/p))/2, however tight the bend at the vertex.
+TEST(PointMotion, ATightParabolaHasItsLengthByConstructionAndCheck) {
+    for (const double p : {2.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9, 1e-15, 1e-30}) {
+        for (const char* start : {"0", "-0.01"}) {
+            if (p < 1e-7 && *start == '-') continue;  // too far up its arm
+            std::array<char, 32> text{};
+            std::snprintf(text.data(), text.size(), "%g m", p);
+            const Solution solution =
+                moving(R"~("point": "P", "path": {"y": "x^2/(2*p)", "start": )~" + std::string(start) +
+                       R"(}, "s": "v*t", "constants": {"v": "1 m/s", "p": ")" + text.data() +
+                       R"("}, "at": "2 s", "from": 0, "to": "3 s")");
+            const VectorOf<double> place = to_double(motion_of(solution).place);
+            const auto way = [p](double x) { return (x * std::hypot(p, x) / p + p * std::asinh(x / p)) / 2; };
+            const double from = std::strtod(start, nullptr), whole = std::max(2.0, -way(from));
+            EXPECT_NEAR(way(place.x) - way(from), 2, 1e-11 * whole) << text.data() << " from " << start;
+            EXPECT_NEAR(place.y, place.x * place.x / (2 * p), 1e-12 * whole) << text.data();
+            for (const ProblemValue& each : solution.problem->values)
+                if (each.key == "x" || each.key == "y" || each.key == "way" || each.key == "speed") {
+                    EXPECT_NEAR(each.value, *each.numeric, 1e-10 * whole) << each.key << ", p = " << text.data();
+                }
+        }
+    }
 }
 
 TEST(PointMotion, HarmonicAndUniformMotionAreStraight) {
