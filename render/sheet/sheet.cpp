@@ -1,8 +1,8 @@
 // The sheet: figures, equations, tables and steps on pages, without overlaps. Owns the sequence of planning and
 // drawing. Computes no mechanics; figures are moved, never scaled.
 //
-// Method: a solution is a sequence of bands, each a question with its figures and text (bands). Each figure has sizes at
-// the standard scales that a page could take, estimated by its strokes until a plan chooses one and it is drawn
+// Method: a solution is a sequence of bands, each a question with its figures and text (bands). Each figure has sizes
+// at the standard scales that a page could take, estimated by its strokes until a plan chooses one and it is drawn
 // (measured_figures). A band gets the arrangement with the highest score for its space (band_layout). Bands in their
 // order make rows, and rows make the fewest pages (page_plan). Where these leave white, figures and then the text grow,
 // as far as that costs no page (sheet_plan). The drawings that were chosen are set on the pages (drawn_figures,
