@@ -364,7 +364,9 @@ private:
     std::optional<Solution> planned_here() {
         ++planned_;
         ++all_planned_;
+        const std::size_t refined_before = positions_.refined_bits();
         auto repositioned = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        spent_ += positions_.refined_bits() - refined_before;
         if (!repositioned) return std::nullopt;
         Repositioned& moved = *repositioned;
         moved.mechanism.find = found_in_rows(mechanism_, on_request_);
@@ -489,7 +491,7 @@ private:
     KeptRecords records_;
     int planned_ = 0;
     int all_planned_ = 0;    ///< those whose records were put back, too
-    std::size_t spent_ = 0;  ///< bits of all numbers of the positions that were planned
+    std::size_t spent_ = 0;  ///< bits of all numbers of the positions that were planned, and of the passes to them
     RowCheck check_;
 };
 

@@ -159,10 +159,14 @@ std::optional<std::vector<Exact>> Positions::refined_state(const Closure& closur
     const double done = std::ldexp(1, -closure.bits - 2);
     for (int pass = 0; pass < 40; ++pass) {
         const std::vector<BodyPlaceOf<Exact>> places = places_at(closure, q);
+        for (const BodyPlaceOf<Exact>& each : places)
+            for (const Exact* number : {&each.at.x, &each.at.y, &each.facing.x, &each.facing.y})
+                refined_bits_ += number->bits();
         for (std::size_t r = 0; r < closure.rows.size(); ++r) {
             const Closure::Row& row = closure.rows[r];
             Exact value = excess(row, places[at_index(row.i)], places[at_index(row.j)], facing);
             if (row.driver >= 0) value -= targets[at_index(row.driver)];
+            refined_bits_ += value.bits();
             excesses[r] = value.to_double();
         }
         const std::vector<double>& correction = numeric.correction(excesses);

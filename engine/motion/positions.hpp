@@ -83,6 +83,9 @@ public:
     std::optional<std::vector<BodyPlaceOf<Exact>>> refined_across(const Closure& closure,
                                                                   const Exact& coordinate) const;
 
+    /// Bits of the numbers of all passes of refinement so far: sizes far apart take many passes.
+    std::size_t refined_bits() const { return refined_bits_; }
+
     /// How a place and the directions of a joint follow from the positions of the bodies, for code that solves the
     /// closure elsewhere.
     using PointRule = closing::PointRule;
@@ -110,6 +113,7 @@ private:
     closing::PlaceRules rules_;
     closing::BranchWalk walk_;
     std::optional<BranchTaken> branch_;
+    std::size_t refined_bits_ = 0;
 };
 
 }  // namespace kinegraph

@@ -356,5 +356,26 @@ TEST(Positions, OfSizesFarApartAreRefinedToTheLastBitOrNotAtAll) {
     EXPECT_GT(refused, 3);
 }
 
+TEST(Positions, PassesAreCountedAndAreMoreWhereSizesAreFarApart) {
+    const auto bits_of_one = [](const std::string& origin) {
+        std::string text = tests::contents(tests::example_file("slider_crank_long_crank"));
+        text.replace(text.find("[0, 0]"), 6, "[" + origin + ", 0]");
+        const Mechanism mechanism = *read_mechanism(text, "test.json");
+        const Pose pose = *draw_pose(mechanism);
+        Positions positions = *Positions::of(mechanism, pose, 0);
+        EXPECT_EQ(positions.refined_bits(), 0u);
+        EXPECT_TRUE(positions.move_to(0.1));
+        const Closure closure = *closure_of(mechanism, pose);
+        EXPECT_TRUE(positions.refined(closure, Exact::from_double(positions.coordinate())));
+        const std::size_t once = positions.refined_bits();
+        EXPECT_TRUE(positions.refined(closure, Exact::from_double(positions.coordinate())));
+        EXPECT_EQ(positions.refined_bits(), 2 * once);
+        return once;
+    };
+    const std::size_t near = bits_of_one("0");
+    EXPECT_GT(near, 100u);
+    EXPECT_GT(bits_of_one("1e61"), 2 * near);
+}
+
 }  // namespace
 }  // namespace kinegraph::positions_test
