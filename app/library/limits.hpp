@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "engine/board/protocol.hpp"
 #include "engine/file/error.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "lang/words.hpp"
@@ -16,13 +17,18 @@ constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_bodies_with_centres = 250;
 /// Bodies of a mechanism whose positions are found one after another: in each, closing and checking it takes the cube.
 constexpr std::size_t most_swept_bodies = 40;
-/// Bodies that a sweep over a parameter solves, in all its values together.
-constexpr std::size_t most_bodies_of_values = 15'000;
+/// What a sweep over a parameter may solve in all its values together, in work_of().
+constexpr std::size_t most_work_of_values = 1'000'000;
 /// Turns of a driver from the drawn position: the mechanism is moved there step by step.
 constexpr double most_turns = 1000;
 
 /// Why a file is not solved, with the limit and a remedy; none if it is.
 std::optional<Error> beyond_solving(const Mechanism& mechanism);
 std::optional<Words> beyond_sweep(const Mechanism& mechanism);
+
+/// What reading and solving a file cost, in units of some three microseconds: counted, so that it is the same on every
+/// machine.
+std::size_t work_of(std::size_t bytes, const Mechanism& mechanism);
+std::size_t work_of(const Protocol& record);
 
 }  // namespace kinegraph::app

@@ -117,6 +117,12 @@ std::vector<std::size_t> columns_with_poles(const std::vector<Column>& columns, 
     return found;
 }
 
+std::vector<std::string> names_of(const std::vector<ResultExpression>& expressions) {
+    std::vector<std::string> names;
+    for (const ResultExpression& each : expressions) names.push_back(each.column().name);
+    return names;
+}
+
 class ParameterSweep final : public Sweep::State {
 public:
     ParameterSweep(const MechanismFile::State& file, const SweepOptions& options, Variation values,
@@ -164,8 +170,11 @@ public:
     }
 
     std::optional<Words> beyond_work() const override {
-        if (spent_ <= most_planned_bits) return std::nullopt;
-        return Words(lang::sweeps::over_takes_too_many_bits, options_.dashes, std::to_string(most_planned_millions));
+        if (of_first_ * values_.count > app::most_work_of_values)
+            return Words(lang::sweeps::over_takes_too_much, options_.dashes, std::to_string(values_.count),
+                         std::to_string(app::most_work_of_values / of_first_));
+        if (spent_ <= app::most_work_of_values) return std::nullopt;
+        return Words(lang::sweeps::over_takes_too_much_between, options_.dashes);
     }
     std::vector<Words> summary() const override {
         std::vector<Words> lines;
@@ -366,13 +375,17 @@ private:
         std::vector<Setting> set = file_.set;
         std::erase_if(set, [&](const Setting& each) { return each.name == table.driver; });
         set.push_back({table.driver, value});
+        if (beyond_work()) return std::nullopt;
+        const std::size_t before = spent_;
+        spent_ += app::work_of(file_.text.size(), mechanism);
         auto varied = read_mechanism(file_.text, file_.name, set);
         if (!varied) return note(varied.error());
         for (const Column& each : on_request_.columns)
             varied->find.curvature = varied->find.curvature || result_kind(each.quantity).is_of_curvature();
         auto solution = solve(*std::move(varied));
         if (!solution) return note(solution.error());
-        spent_ += solution->protocol.bits;
+        spent_ += app::work_of(solution->protocol);
+        if (of_first_ == 0) of_first_ = spent_ - before;
         if (!solution->unsolved.empty() && whole)
             return note({{ErrorCode::no_unique_answer, {}, {lang::sweeps::no_value_has_a_unique_answer}}});
         return *std::move(solution);
@@ -454,14 +467,13 @@ private:
     }
     /// Whether the rows have it only where it is asked for, and stay without it where it has no value.
     bool is_on_request(const Column& column) const {
-        const std::vector<ResultExpression> defined = defined_results(mechanism);
         return result_kind(column.quantity).on_request || column.name == transmission_angle_name ||
-               std::any_of(defined.begin(), defined.end(),
-                           [&](const ResultExpression& each) { return each.column().name == column.name; });
+               std::find(defined_.begin(), defined_.end(), column.name) != defined_.end();
     }
 
     SourceFile file_;
     SweepOptions options_;
+    std::vector<std::string> defined_ = names_of(defined_results(mechanism));
     std::vector<Column> operands_ = operands_of_expressions(mechanism);
     app::ColumnsOnRequest on_request_ = app::columns_on_request(options_, mechanism, operands_);
     std::vector<bool> here_lacking_;  ///< by column: the last row has no value
@@ -469,8 +481,9 @@ private:
     std::optional<Words> wrong_columns_;
     Variation values_;
     LargestDifference difference_;
-    double size_ = 0;        ///< of the largest drawing, m
-    std::size_t spent_ = 0;  ///< bits of all numbers of the solutions
+    double size_ = 0;           ///< of the largest drawing, m
+    std::size_t spent_ = 0;     ///< work of all solutions, between the rows too
+    std::size_t of_first_ = 0;  ///< that of the first one
     std::vector<double> last_;
     std::vector<std::string> left_out_;
     std::vector<double> gaps_;                   ///< left out, and no poles
@@ -506,14 +519,6 @@ Words meaningless_sweep(const SweepOptions& options, JsonValue parameters) {
             did_you_mean(Speller().nearest(options.over, names))};
 }
 
-/// Why so many values are not solved, with the limit and a remedy; none if they are.
-std::optional<Words> beyond_values(std::uint64_t values, const Mechanism& mechanism, const std::string& dashes) {
-    const std::size_t bodies = std::max<std::size_t>(mechanism.bodies.size(), 1);
-    if (values <= app::most_bodies_of_values / bodies) return std::nullopt;
-    return Words(lang::sweeps::over_values_of_bodies, dashes, std::to_string(values), std::to_string(bodies),
-                 std::to_string(app::most_bodies_of_values));
-}
-
 /// The parameter's own value, SI: that of the settings, else of the file; empty if a formula gives it.
 std::optional<double> drawn_value(const MechanismFile::State& file, const std::string& name, std::string text) {
     for (const Setting& each : file.set)
@@ -534,7 +539,6 @@ Expected<std::unique_ptr<Sweep::State>> sweep_of_parameter(const MechanismFile::
     if (const auto beyond = app::beyond_solving(file.mechanism)) return tl::unexpected(diagnostics_of({*beyond}));
     auto values = values_of(options);
     if (!values) return wrong(values.error());
-    if (const auto beyond = beyond_values(values->count, file.mechanism, options.dashes)) return wrong(*beyond);
     const std::string own(parameters[options.over].text());
     if (const Words why = of_another_kind(*values, own, options.dashes); !why.empty()) return wrong(why);
     return std::make_unique<ParameterSweep>(file, options, *std::move(values), drawn_value(file, options.over, own));

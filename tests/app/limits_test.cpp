@@ -76,6 +76,11 @@ TEST_F(Limits, OfPositionsThatNeedExactNumbers) {
     const std::string between = "quantities differ so much in size that what is between the rows needs more than 500 ";
     expect_refused("sweep chain.json -o out.csv", between);
     expect_refused("sweep chain.json -o out.svg --steps 4", between);
+    // The passes to each exact position count as the numbers of its solution do: 1e58 m from the origin there are many.
+    Json far = Json::parse(contents(example_file("slider_crank_long_crank")));
+    far["points"]["O"] = {1e61, 0};
+    std::ofstream(folder_ / "chain.json") << far;
+    expect_refused("sweep chain.json -o out.csv --steps 6", between);
     // Fewer rows are named as the remedy where they are one.
     turned("5e-6");
     expect_refused("sweep chain.json -o out.csv", "quantities differ so much in size .* take fewer --steps");
@@ -87,16 +92,29 @@ TEST_F(Limits, OfPositionsThatNeedExactNumbers) {
 TEST_F(Limits, OfASweepOverAParameter) {
     std::ofstream(folder_ / "chain.json") << contents(example_file("variants/four_bar"));
     const std::string over = "sweep chain.json --over r --from \"35 mm\" --to \"60 mm\" -o out.csv ";
-    expect_refused(over + "--steps 3750",
-                   "--over: 3751 values of 4 bodies; at most 15000 bodies are solved in one sweep");
-    expect_refused(over + "--step \"0.001 mm\"", "--over: 25001 values of 4 bodies; .* fewer --steps");
+    expect_refused(over + "--steps 20000",
+                   "--over: 20001 values take more work .* some [12][0-9]{3} values of this file");
+    expect_refused(over + "--step \"0.001 mm\"", "--over: 25001 values .* fewer --steps");
     EXPECT_EQ(run(over).status, 0);
     // A speed of a thousand digits, in every value.
     Json file = Json::parse(contents(example_file("variants/four_bar")));
     file["parameters"]["n"] = "1." + std::string(990, '3') + " rpm";
     std::ofstream(folder_ / "chain.json") << file;
     std::filesystem::remove(folder_ / "out.csv");
-    expect_refused(over + "--steps 3700", "--over: the values need more than 500 million bits .* fewer --steps");
+    expect_refused(over + "--steps 3700", "--over: 3701 values take more work .* some 1?[0-9]{3} values");
+    // The work follows what is solved: instant centres grow with the square of the bodies.
+    for (const auto& [bodies, steps] : {std::pair(41, 360), {100, 60}, {160, 20}}) {
+        write_chain(static_cast<std::size_t>(bodies));
+        std::ifstream in(folder_ / "chain.json");
+        Json chain = Json::parse(in);
+        chain["parameters"]["r"] = 1;
+        chain["points"]["P1"][0] = "= r";
+        std::ofstream(folder_ / "chain.json") << chain;
+        const std::string ends = "sweep chain.json --over r --from 1 --to 3 -o out.csv --steps ";
+        expect_refused(ends + std::to_string(steps), "--over: .* values take more work than one sweep does");
+        EXPECT_EQ(run(ends + "2").status, 0) << bodies;
+        std::filesystem::remove(folder_ / "out.csv");
+    }
 }
 
 TEST_F(Limits, OfSheetsAndSteps) {
