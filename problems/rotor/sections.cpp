@@ -268,7 +268,7 @@ std::vector<ProblemSection> rotor_sections(const DrawingContext& context) {
         polygon(bearings, RotorFigure::bearing_couples, found.held->couples, 0.65);
         polygon(bearings, RotorFigure::bearing_forces, found.held->forces, 0.65);
     }
-    sections.push_back({"hypotheses", {lang::common::heading_hypotheses}, {}, {{lang::rotor::the_shaft_is_rigid}}});
+    sections.push_back(hypotheses_section({{lang::rotor::the_shaft_is_rigid}}));
     return sections;
 }
 
