@@ -56,15 +56,15 @@ public:
         switch (part.kind) {
             case Kind::bodies:
                 if (!made_.bodies) made_.bodies.emplace(context_);
-                return under(lang::sheet::bodies, made_.bodies->lines(measure_));
+                return as_table(under(lang::sheet::bodies, made_.bodies->lines(measure_)));
             case Kind::mobility:
                 // For a single body no degrees of freedom are counted.
                 return under(solution_.instantaneous_motion ? lang::sheet::conventions : lang::sheet::mobility,
                              conventions());
             case Kind::centres:
                 if (!made_.centres) made_.centres.emplace(context_);
-                return under(lang::sheet::instant_centres, made_.centres->lines(measure_),
-                             one_piece(solution_.mechanism.units.length.symbol));
+                return as_table(under(lang::sheet::instant_centres, made_.centres->lines(measure_),
+                                      one_piece(solution_.mechanism.units.length.symbol)));
             case Kind::steps: {
                 const Topic section = solution_.protocol.statements[part.which.front()].section;
                 return under(steps_heading(section), steps(part.which));
@@ -89,6 +89,11 @@ private:
     Passage under(Key title, std::vector<Block> rows) const {
         Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_rows(std::move(rows));
+        return passage;
+    }
+    /// A list of short lines: it has no head.
+    static Passage as_table(Passage passage) {
+        passage.is_table = true;
         return passage;
     }
     /// The first line is the head, which is repeated in the next column.
@@ -848,6 +853,7 @@ void Passage::take_table(std::vector<Block> lines) {
 }
 void Passage::take_table(std::vector<SharedBlock> lines) {
     if (lines.empty()) return;
+    is_table = true;
     head = std::move(lines.front());
     rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
 }
@@ -865,7 +871,8 @@ std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band
         own.push_back({first > 0 ? passage.heading_again : passage.heading,
                        passage.heading_again,
                        passage.head,
-                       {rows + static_cast<std::ptrdiff_t>(first), rows + static_cast<std::ptrdiff_t>(end)}});
+                       {rows + static_cast<std::ptrdiff_t>(first), rows + static_cast<std::ptrdiff_t>(end)},
+                       passage.is_table});
     }
     return own;
 }

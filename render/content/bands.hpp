@@ -23,6 +23,7 @@ struct Passage {
     SharedBlock heading, heading_again;  ///< height 0: none
     SharedBlock head;
     std::vector<SharedBlock> rows{};
+    bool is_table = false;  ///< rows that are read together: no few of them stand alone in a column
 
     void take_rows(std::vector<Block> blocks);
     /// The first line of a table is its head. Without lines there are neither head nor rows.

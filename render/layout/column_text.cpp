@@ -10,17 +10,20 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double passage_gap = 3.5, rounding_grace = 1e-6;
-constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
+constexpr double two_lines = 7.5;       // mm; rows lower than this do not stand alone in a column …
+constexpr double part_of_table = 18.5;  // … nor less than five rows of a table
 
 /// End of the group of rows that begins at `first` and stays together: the first rows of a passage stay with its
 /// heading, and no single line is left at the beginning or the end.
-std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
+std::size_t end_of_group(const Passage& passage, double scale, std::size_t first) {
+    const std::vector<SharedBlock>& rows = passage.rows;
+    const double least = passage.is_table ? part_of_table : two_lines;
     std::size_t end = first + 1;
     double height = rows[first].height() * scale;
-    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height() * scale;
+    while (first == 0 && end < rows.size() && height < least) height += rows[end++].height() * scale;
     double left = 0;
-    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height() * scale;
-    return left < two_lines ? rows.size() : end;
+    for (std::size_t i = end; i < rows.size() && left < least; ++i) left += rows[i].height() * scale;
+    return left < least ? rows.size() : end;
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ ColumnText::ColumnText(std::vector<Passage> passages, double measure, double sca
         const Passage& passage = passages_[p];
         too_wide_ = too_wide_ || is_wider(passage, scale_, measure_);
         for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
-            end = end_of_group(passage.rows, scale_, first);
+            end = end_of_group(passage, scale_, first);
             double rows = 0;
             for (std::size_t i = first; i < end; ++i) rows += height_of(passage.rows[i]);
             const double heading = first == 0 ? height_of(passage.heading) : 0, head = height_of(passage.head);
