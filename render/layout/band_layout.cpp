@@ -12,9 +12,10 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double least_beside = 25;
-constexpr double price_of_columns = 0.05, score_of_corner = 0.01;
-constexpr int most_beside = 3;        // columns of text
-constexpr int most_columns_more = 2;  // beyond those of the format, for a page of short lines
+constexpr double price_of_columns = 0.05;
+constexpr double price_of_corner = 0.3;  // half a step of a scale: an equation is read at its step
+constexpr int most_beside = 3;           // columns of text
+constexpr int most_columns_more = 2;     // beyond those of the format, for a page of short lines
 
 }  // namespace
 
@@ -298,7 +299,7 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch, 
         if (cornered && equations_ == nullptr) break;
         Arrangement base;
         base.cornered = cornered;
-        base.score = cornered ? score_of_corner : 0;
+        base.score = cornered ? -price_of_corner : 0;
         for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
             try_all(best, base, whole, height, notch);
     }
@@ -364,7 +365,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
-    layout.score = (layout.cornered ? score_of_corner : 0) - price_of_columns * layout.columns;
+    layout.score = (layout.cornered ? -price_of_corner : 0) - price_of_columns * layout.columns;
     if (!may_improve(best, layout) || layout.columns * height - least_beside < words.whole_height()) return;
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
