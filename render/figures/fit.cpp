@@ -16,6 +16,11 @@ bool is_last(const FitPolicy& policy, const Trial& trial) {
 
 }  // namespace
 
+double first_scale(Spot extents, Spot room, double finest) {
+    if (finest > 0 && extents.x <= finest * room.x && extents.y <= finest * room.y) return finest;
+    return std::max(choose_scale(extents.x, extents.y, room.x, room.y, std::nullopt), finest);
+}
+
 Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw) {
     if (policy.asked) {
         auto figure = draw({*policy.asked, 0, false, false, true});

@@ -42,6 +42,10 @@ struct FitPolicy {
     bool names_stay_in_room = false;
 };
 
+/// The scale to try first: `finest` if the extents have room at it, otherwise the finest of the series at which they
+/// have.
+double first_scale(Spot extents, Spot room, double finest);
+
 /// `draw` returns nothing to reject a trial; the next coarser scale follows. It must return a figure for the last
 /// trial.
 Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw);

@@ -615,9 +615,8 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         close(figure);
         return figure;
     };
-    const double first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},
-                           .first = std::max(first, wish.finest),
+                           .first = first_scale({drawing.width(), drawing.height()}, {room_x, room_y}, wish.finest),
                            .asked = wish.asked,
                            .exactly = wish.exactly,
                            .most_trials = 14,

@@ -304,7 +304,8 @@ MeasuredFigures::Measure MeasuredFigures::filling_at(const Wanted& wanted, doubl
             {}};
 }
 
-/// A row of polygons may also stand in several rows.
+/// A row of polygons may also stand in several rows. At the coarsest common scale a polygon whose names want more room
+/// may come coarser still; a finer scale is common to all or not taken.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Wanted& wanted, double force_scale) const {
     double scale = force_scale;
     constexpr double small_part = 0.35;
@@ -314,9 +315,12 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Want
     if (kept_ && wanted.may_be_larger)
         if (const auto own = kept_->of_figures.find(wanted_.kept_as(wanted.id)); own != kept_->of_figures.end())
             scale = std::min(scale, own->second);
+    const std::vector<double> common = force_scales();
+    const bool exactly = !common.empty() && force_scale < common.back() * (1 - rounding);
     std::vector<Measure> all;
     for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)
-        all.push_back({scale, {format_.span(columns, format_.columns), page().y}, {scale, {}}});
+        all.push_back(
+            {scale, {format_.span(columns, format_.columns), page().y}, {.finest = scale, .exactly = exactly}});
     return all;
 }
 

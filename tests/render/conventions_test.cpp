@@ -73,10 +73,10 @@ TEST(Conventions, EveryVectorHasItsAxisLine) {
 
 bool is_dashed(const Mark& mark) {
     const auto* path = std::get_if<Path>(&mark);
-    return path != nullptr && path->stroked && path->pen.dashes.size() == 2;
+    return path != nullptr && path->stroked && path->pen.dashes == dashes();
 }
 
-/// In the sixth body's colour, too, and of resultants, rays and reactions: solid.
+/// In the sixth body's colour, too, and of rays and reactions: solid. Resultants have long dashes.
 TEST(Conventions, ADashedSideIsAnInternalForce) {
     std::size_t dashed = 0;
     for (const char* name : {"excavator_arm", "gerber_beam", "truss_roof_wind", "four_bar_inertia", "pliers"})

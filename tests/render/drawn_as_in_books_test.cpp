@@ -211,7 +211,7 @@ TEST(DrawnAsInBooks, LeadersEndInADot) {
 }
 
 TEST(DrawnAsInBooks, TablesOfReadingsSayWhatAMillimetreIsWorth) {
-    const auto& pages = laid_out("four_bar");
+    const auto& pages = laid_out("exam_2001");
     EXPECT_TRUE(says(pages, "mm × 0.0"));
 }
 

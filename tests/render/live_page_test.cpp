@@ -148,7 +148,7 @@ TEST_F(LivePage, StandsBesideOtherOutputsAndIsTheSameEveryTime) {
     const std::string page = contents(folder_ / "a.html");
     EXPECT_EQ(page, contents(folder_ / "b.html"));
     EXPECT_TRUE(fs::exists(folder_ / "a.json"));
-    EXPECT_LE(page.size(), 320000U);
+    EXPECT_LE(page.size(), 330000U);
     EXPECT_EQ(page.find("http:"), std::string::npos);
     EXPECT_EQ(page.find("https:"), std::string::npos);
     EXPECT_EQ(page.find("eval("), std::string::npos);
