@@ -85,9 +85,7 @@ private:
                 x = halves + (halves - whole) / 15;
                 done = is_last ? 1 : done + share;
             }
-            const double factor = error > 0    ? 0.9 * nearest::pow(allowed / error, 0.2)
-                                  : error == 0 ? 4
-                                               : 0;
+            const double factor = error > 0 ? 0.9 * nearest::pow(allowed / error, 0.2) : error == 0 ? 4 : 0;
             share = std::min(longest, share * std::clamp(factor, 0.1, 4.0));
         }
         return done < 1 ? std::numeric_limits<double>::quiet_NaN() : x;

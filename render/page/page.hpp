@@ -7,11 +7,11 @@
 //  - groups nest properly, ids are unique within the page, and attribute values are unescaped text.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -70,8 +70,10 @@ struct GroupId {
         return all;
     }
     friend bool operator==(const GroupId&, const GroupId&) = default;
-    // clang-tidy 14 mistakes the compiler-generated comparison with 0 for a null pointer.
-    friend auto operator<=>(const GroupId&, const GroupId&) = default;  // NOLINT(modernize-use-nullptr)
+    friend bool operator<(const GroupId& one, const GroupId& other) {
+        return std::tie(one.figure, one.detail, one.element, one.shown_in) <
+               std::tie(other.figure, other.detail, other.element, other.shown_in);
+    }
 };
 
 /// Opens a group (`<g>`): class, id, title and data attributes in order.
