@@ -320,12 +320,11 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
     KG_ASSERT(no_lever(context.solution) == NoLever::drawn, "a lever needs a force that moves");
     const Lever lever(context);
     const Spot room{room_x, room_y};
-    const FitPolicy policy{
-        .room = room,
-        .first = std::max(choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt), wish.finest),
-        .exactly = wish.exactly,
-        .extent = std::max(lever.width(), lever.height()),
-        .least_shown = least_velocity};
+    const FitPolicy policy{.room = room,
+                           .first = first_scale({lever.width(), lever.height()}, room, wish.finest),
+                           .exactly = wish.exactly,
+                           .extent = std::max(lever.width(), lever.height()),
+                           .least_shown = least_velocity};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = lever.at(trial.scale);
         const bool has_room =

@@ -401,7 +401,7 @@ public:
             return figure;
         }
         const FitPolicy policy{.room = room_,
-                               .first = std::max(first_scale(), wish_.finest),
+                               .first = first(),
                                .asked = wish_.asked,
                                .exactly = wish_.exactly,
                                .extent = extent(),
@@ -445,13 +445,11 @@ private:
         return made;
     }
     const Figure& strokes_at(double scale) const { return strokes(scale).figure; }
-    double first_scale() const {
-        return choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt);
-    }
+    double first() const { return first_scale({drawing_.width(), drawing_.height()}, room_, wish_.finest); }
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
     /// The size at `most_steps` steps beyond the scale at which the strokes have room, mm.
     double smallest_readable_lettering() const {
-        double scale = std::max(first_scale(), wish_.finest);
+        double scale = first();
         while (extent() / scale > least_polygon && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
         for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);
         constexpr double a_little_less = 0.999;

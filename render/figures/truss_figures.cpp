@@ -739,9 +739,10 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y,
 
 Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {
     const Plan plan(context);
-    const double first = choose_scale(plan.width(), plan.height(), room_x, room_y, std::nullopt);
-    const FitPolicy policy{
-        .room = Spot{room_x, room_y}, .first = std::max(first, wish.finest), .asked = wish.asked, .most_trials = 14};
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = first_scale({plan.width(), plan.height()}, {room_x, room_y}, wish.finest),
+                           .asked = wish.asked,
+                           .most_trials = 14};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = plan.at(trial.scale);
         const SenseKey key(context, in_plan);

@@ -64,7 +64,7 @@ const std::vector<FigureSize>& MeasuredFigures::drawn_sizes(std::size_t figure, 
     for (;;) {
         const std::vector<FigureSize>& all = sizes(figure, force_scale, range);
         bool any = false;
-        for (const FigureSize& size : std::vector(all)) any = draws(figure, size) || any;
+        for (const FigureSize& size : all) any = draws(figure, size) || any;
         if (!any) return all;
     }
 }

@@ -106,10 +106,10 @@ void SheetPlan::try_finer_shares() {
     columns_more_ = columns_more_at_first;
 }
 
-/// Whether less than half of the room of a band is covered.
+/// Whether less than two fifths of the room of a band are covered.
 bool SheetPlan::is_white(const PlacedBand& placed, const BandLayout& layout) const {
-    constexpr double half = 0.4;
-    return layouts(placed.band).taken_by(layout) < half * placed.room.width() * placed.room.height();
+    constexpr double little = 0.4;
+    return layouts(placed.band).taken_by(layout) < little * placed.room.width() * placed.room.height();
 }
 
 /// Figures that have their largest size may be larger where their bands have room for the next scale.

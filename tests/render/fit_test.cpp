@@ -82,5 +82,14 @@ TEST(Fit, SkipsWhatADrawingDoesNotFinish) {
     EXPECT_EQ(asked, 4);
 }
 
+/// 130 units in 165 mm: 0.8 a millimetre has room and is none of 1, 2, 2.5 and 5.
+TEST(Fit, BeginsWithTheFinestScaleThatIsAllowedWhereTheExtentsHaveRoom) {
+    EXPECT_EQ(first_scale({130, 1}, {165, 100}, 0.8), 0.8);
+    EXPECT_EQ(first_scale({1, 130}, {100, 165}, 0.8), 0.8);
+    EXPECT_EQ(first_scale({130, 1}, {160, 100}, 0.8), 1);
+    EXPECT_EQ(first_scale({130, 1}, {165, 100}, 0), 1);
+    EXPECT_EQ(first_scale({130, 1}, {165, 100}, 3), 3);
+}
+
 }  // namespace
 }  // namespace fit_test
