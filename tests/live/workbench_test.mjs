@@ -929,10 +929,17 @@ test('the modes show the solution: the live page in its tabs, the sheet as the p
 
 test('an example is chosen by its picture; what is shown is taken away as SVG, PNG, TikZ, HTML, JSON, CSV and GeoGebra', async () => {
     await begin();
+    let goesOn;
+    const typed = new Promise((resolve) => (goesOn = resolve));
+    await page.route('**/examples.json', async (route) => {
+        await typed;  // the examples arrive after what is typed
+        await route.continue();
+    });
     await page.locator('#examples').click();
     await page.locator('#gallery-search').fill('whitworth');
+    goesOn();
     const card = page.locator('.card:visible');
-    await card.first().waitFor();  // the examples are fetched first
+    await card.first().waitFor();
     assert.equal(await card.count(), 1);
     await card.locator('img').waitFor();
     await card.click();

@@ -37,6 +37,7 @@ export class Gallery {
         this.isFilled = true;
         const all: Example[] = await (await fetch('examples.json')).json();
         byId('gallery-list').replaceChildren(...all.map((each) => this.card(each)));
+        this.filter();  // what was typed while they were fetched
     }
     card({path, title}: Example) {
         const {language} = this.bench.inquiry,
