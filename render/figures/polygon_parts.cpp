@@ -627,10 +627,13 @@ private:
                 const double width = std::max(box.max.x, far) - std::min(box.min.x, x);
                 const double across = 1000 * std::max(0.0, width - room_.x) + (width - box.width());
                 // Most columns are dearer than what was found, wherever the inset stands in them.
-                if (across + 0.15 * std::abs(0.5 * (x + far) - of.x) >= least + rounding) continue;
+                const double spare = least + rounding - across;
+                if (0.15 * std::abs(0.5 * (x + far) - of.x) >= spare) continue;
                 int row = 0;
                 for (double y = origin.y; y + inset.height() <= box.max.y + reach.y; y += step) {
-                    if (row++ % every != 0) continue;
+                    // … and so are most places far above or below the figure.
+                    if (row++ % every != 0 || box.min.y - y >= spare) continue;
+                    if (y + inset.height() - box.max.y >= spare) break;
                     const double price = price_at(x, y);
                     if (price >= least) continue;
                     const Box wanted{{x - apart_from_figure, y - apart_from_figure},

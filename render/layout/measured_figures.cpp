@@ -362,27 +362,35 @@ std::size_t MeasuredFigures::drawn(std::size_t figure, const Measure& measure) {
     return drawing;
 }
 
-/// With its caption in one line and, at a price, in several.
 void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
-                                double scale) const {
+                                double scale) {
+    constexpr double price_of_lack = 0.4;  // about half a step of the scale
+    Drawing& own = drawings_[figure][drawing];
+    // Vectors too short to read, and names that stand in a key.
+    if (own.figure->lacks_details || own.figure->has_key) score -= price_of_lack;
+    if (own.sizes.empty()) own.sizes = sizes_of(*own.figure);
+    for (FigureSize size : own.sizes) {
+        size.score += score, size.scale = scale, size.drawing = drawing;
+        sizes.push_back(size);
+    }
+}
+
+/// With its caption in one line and, at a price, in several. At least one.
+std::vector<FigureSize> MeasuredFigures::sizes_of(const Figure& drawn) const {
     constexpr double price_of_broken_caption = 0.8;
     constexpr double least_of_caption = 40;  // mm
     constexpr int number = 88;               // as wide as any that a sheet has
-    constexpr double price_of_lack = 0.4;    // about half a step of the scale
-    const Figure& drawn = *drawings_[figure][drawing].figure;
-    // Vectors too short to read, and names that stand in a key.
-    if (drawn.lacks_details || drawn.has_key) score -= price_of_lack;
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
     const double whole = caption_width(context_, drawn, number);
-    if (whole <= format_.content.width()) {
-        sizes.push_back({std::max(own, whole), high + caption_line, score, scale, caption_line, 0, drawing});
-        if (whole <= own) return;
-    }
+    std::vector<FigureSize> sizes;
+    if (whole <= format_.content.width())
+        sizes.push_back({.x = std::max(own, whole), .y = high + caption_line, .caption = caption_line});
     const double narrow = std::max(own, std::min(least_of_caption, format_.content.width()));
-    if (narrow >= whole) return;
+    if (!sizes.empty() && (whole <= own || narrow >= whole)) return sizes;
     std::vector<Mark> words;
     const double caption = set_caption(words, context_, drawn, number, {0, 0}, narrow);
-    sizes.push_back({narrow, high + caption, score - price_of_broken_caption, scale, caption, 0, drawing});
+    sizes.push_back({.x = narrow, .y = high + caption, .score = -price_of_broken_caption, .caption = caption});
+    return sizes;
 }
 
 double MeasuredFigures::wider_for(std::size_t figure, const FigureSize& size, const Block& equations) {

@@ -86,6 +86,7 @@ private:
         ScaleWish wish;
         std::optional<Figure> figure;  // when a plan has chosen it
         double beside = 0, wider = 0;  // width of the equations of its band, and by how much it must be wider for them
+        std::vector<FigureSize> sizes{};  // with its caption in one line and in several; without a score
     };
     struct Measure {
         double scale;  // units of the extents per mm
@@ -107,8 +108,8 @@ private:
     std::vector<Measure> at_scales(const Wanted& wanted, Range range) const;
     std::size_t entered(std::size_t figure, const Measure& measure);
     std::size_t drawn(std::size_t figure, const Measure& measure);
-    void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score,
-                   double scale) const;
+    void add_sizes(std::vector<FigureSize>& sizes, std::size_t figure, std::size_t drawing, double score, double scale);
+    std::vector<FigureSize> sizes_of(const Figure& drawn) const;
     Spot page() const { return {format_.content.width(), format_.content.height() - caption_line}; }
 
     const DrawingContext& context_;
