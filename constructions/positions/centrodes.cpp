@@ -152,9 +152,9 @@ private:
         sample.finite =
             std::abs(sample.omega) * Centrodes::cut_at * size_ > size_of(aside + sample.omega * (place - middle_));
         if (!sample.finite) return sample;
-        const Spot pole = place + (1 / sample.omega) * aside;
-        sample.fixed = cycle_.positions().seen_from(found_.first, pole);
-        sample.moving = cycle_.positions().seen_from(found_.second, pole);
+        const Spot origin = cycle_.positions().origin(), pole = place + (1 / sample.omega) * aside - origin;
+        sample.fixed = cycle_.positions().seen_from(found_.first, pole) + origin;
+        sample.moving = cycle_.positions().seen_from(found_.second, pole) + origin;
         return sample;
     }
 

@@ -402,7 +402,7 @@ private:
                 return std::pair{Spot{}, distance(record.replay.point(element), start)};
             }
             if (result_kind(columns_[i].quantity).shape == ResultKind::Shape::place)
-                return std::pair{record.replay.point(element).place(), 0.0};
+                return std::pair{record.replay.point(element).place() + places_.origin, 0.0};
             return std::pair{record.replay.vector(element), record.replay.scalar(element)};
         });
     }
@@ -436,8 +436,8 @@ private:
             case Column::Kind::turn: return positions_.coordinate();
             case Column::Kind::time: return clock_.time(positions_.coordinate());
             case Column::Kind::angle: return directions_[at_index(q.body)] + positions_.turn(q.body);
-            case Column::Kind::place_x: return places_.points[at_index(q.point)].x;
-            case Column::Kind::place_y: return places_.points[at_index(q.point)].y;
+            case Column::Kind::place_x: return places_.points[at_index(q.point)].x + places_.origin.x;
+            case Column::Kind::place_y: return places_.points[at_index(q.point)].y + places_.origin.y;
             case Column::Kind::slid: return positions_.slid(q.joint);
             case Column::Kind::result:
                 if (q.kind == Kind::transmission_angle) return angle_at(q);
@@ -455,7 +455,8 @@ private:
         const double most = 0x1p40 * pose_.size.to_double();
         if (is_distance(column)) return scalar < most;
         if (result_kind(column.quantity).shape != ResultKind::Shape::place) return true;
-        return std::abs(place.x) < most && std::abs(place.y) < most;
+        const Spot apart = place - places_.origin;
+        return std::abs(apart.x) < most && std::abs(apart.y) < most;
     }
     double part_of(const Column& column, const Spot& vector, double scalar) const {
         if (column.kind == Column::Kind::along)

@@ -69,7 +69,11 @@ public:
                 go_on(last, next, 0);
             last = next;
         }
-        for (auto& pieces : paths_) std::erase_if(pieces, [](const PathPlaces& piece) { return piece.size() < 2; });
+        for (auto& pieces : paths_) {
+            std::erase_if(pieces, [](const PathPlaces& piece) { return piece.size() < 2; });
+            for (PathPlaces& piece : pieces)
+                for (VectorOf<double>& place : piece) place = place + read_.origin;
+        }
         return std::move(paths_);
     }
 

@@ -68,7 +68,10 @@ std::optional<double> RowCheck::numeric(const Row& row, const Column& column, co
     const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::y ? 1 : 0]; };
     if (kind.on_request) {
         const auto found = numeric_on_request(q, motion);
-        return found ? std::optional(part(*found)) : std::nullopt;
+        if (!found) return std::nullopt;
+        const VectorOf<double>& origin = row.places.origin;
+        const bool is_place = kind.shape == ResultKind::Shape::place;
+        return part(*found) + (is_place ? part({origin.x, origin.y}) : 0);
     }
     if (kind.subject == ResultKind::Subject::effort) {
         if (!forces->effort_known[at_index(q.given)]) return std::nullopt;

@@ -18,6 +18,7 @@ public:
     Writer(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {
         closure_.bits = pose.bits;
         closure_.unit = Exact::power_of_two(std::ilogb(pose.size.to_double()));
+        choose_origin();
         closure_.bodies.resize(mechanism.bodies.size());
     }
 
@@ -35,7 +36,15 @@ public:
     }
 
 private:
-    Vector at(PointIndex point) const { return (1 / closure_.unit) * pose_.at(point); }
+    void choose_origin() {
+        constexpr int far = 1 << 10;  // sizes of the drawing; doubles have ten digits less there
+        for (const Joint& joint : mechanism_.joints) {
+            const Vector& place = pose_.at(joint.point);
+            if (abs(place.x) + abs(place.y) > far * pose_.size) closure_.origin = place;
+            return;
+        }
+    }
+    Vector at(PointIndex point) const { return closure_.seen(pose_.at(point)); }
     Vector from_reference(BodyIndex body, const Vector& place) const {
         return place - closure_.bodies[at_index(body)].reference;
     }

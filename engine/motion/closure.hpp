@@ -10,8 +10,8 @@
 
 namespace kinegraph {
 
-/// Position of a body: the place of its reference (in `Closure::unit`), its rotation since the drawn pose (rad), and
-/// (cos, sin) of that.
+/// Position of a body: the place of its reference (from `Closure::origin`, in `Closure::unit`), its rotation since the
+/// drawn pose (rad), and (cos, sin) of that.
 template <class Number>
 struct BodyPlaceOf {
     VectorOf<Number> at;
@@ -58,21 +58,25 @@ Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, con
     }
 }
 
-/// The equations of a mechanism. Lengths are in `unit`, a power of two near the drawing's size.
+/// The equations of a mechanism. Lengths are in `unit`, a power of two near the drawing's size; places are from
+/// `origin`.
 struct Closure {
     using Row = ClosureRowOf<Exact>;
     struct Body {
-        Vector reference;  ///< as drawn
+        Vector reference;  ///< as drawn, from `origin`
         int x = -1,
             turn = -1;  ///< columns of its place (x, then y) and rotation; x < 0: a hinge on the frame fixes its
                         ///< reference
     };
     Exact unit;
+    Vector origin;   ///< m; zero unless the drawing is far from that of the file, where doubles would lose digits
     int bits = 100;  ///< of the pose
     std::vector<Body> bodies;
     std::vector<Row> rows;
     int columns = 0;
 
+    /// A place (m), from `origin` and in `unit`.
+    Vector seen(const Vector& place) const { return (1 / unit) * (place - origin); }
     BodyPlaceOf<Exact> drawn(BodyIndex body) const { return {bodies[at_index(body)].reference, 0, {1, 0}}; }
 };
 

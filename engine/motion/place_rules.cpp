@@ -10,7 +10,7 @@ namespace {
 
 /// A point of a body, relative to the body's reference as drawn.
 Spot local_place(const Pose& pose, const Closure& closure, BodyIndex body, PointIndex point) {
-    return rough((1 / closure.unit) * pose.at(point) - closure.bodies[at_index(body)].reference);
+    return rough(closure.seen(pose.at(point)) - closure.bodies[at_index(body)].reference);
 }
 /// The current place of such a point.
 Spot world(const BodyPlaces& bodies, BodyIndex body, const Spot& local) {
@@ -22,7 +22,7 @@ Spot world(const BodyPlaces& bodies, BodyIndex body, const Spot& local) {
 
 PlaceRules::PlaceRules(const Mechanism& mechanism, const Pose& pose, const Closure& closure,
                        const std::vector<Carrier>& carriers)
-    : unit_(closure.unit.to_double()), points_(carriers.size()) {
+    : unit_(closure.unit.to_double()), origin_(rough(closure.origin)), points_(carriers.size()) {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         points_[i].carrier = carriers[i];
         if (carriers[i].body != none) points_[i].local = local_place(pose, closure, carriers[i].body, PointIndex(i));
@@ -76,6 +76,7 @@ Spot PlaceRules::contact_point(const BodyPlaces& bodies, const JointRule& rule) 
 }
 
 void PlaceRules::read(const BodyPlaces& bodies, Places& places) const {
+    places.origin = origin_;
     places.points.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const PointRule& rule = points_[i];

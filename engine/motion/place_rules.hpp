@@ -14,7 +14,8 @@ namespace kinegraph {
 /// The part of a position from which a program's givens follow, in doubles and m.
 struct Places {
     using Spot = VectorOf<double>;
-    std::vector<Spot> points;                     ///< by PointIndex
+    Spot origin;                                  ///< of the closure
+    std::vector<Spot> points;                     ///< by PointIndex, from `origin`
     std::vector<Spot> guides, normals, tangents;  ///< by JointIndex, as in Pose
 };
 
@@ -63,6 +64,7 @@ private:
     Spot contact_point(const BodyPlaces& bodies, const JointRule& rule) const;
 
     double unit_ = 1;  ///< of the closure, m
+    Spot origin_;      ///< likewise
     std::vector<PointRule> points_;
     std::vector<JointRule> joints_;
 };

@@ -84,6 +84,7 @@ Result<Positions> Positions::of(const Mechanism& mechanism, const Pose& pose, co
     const Driver& first = drivers[at_index(course.driver)];
     Positions made;
     made.unit_ = closure->unit.to_double();
+    made.origin_ = closure->origin;
     made.shares_ = shares_in(course, drivers);
     std::vector<double> shares_in_rows;
     for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -111,13 +112,19 @@ bool Positions::is_near(double coordinate) const {
 VectorOf<double> Positions::seen_from(BodyIndex body, const VectorOf<double>& place) const {
     const BodyPlaceOf<double>& at = now(body);
     return unit_ * (faced(VectorOf<double>{at.facing.x, -at.facing.y}, (1 / unit_) * place - at.at) +
-                    closing::rough(bodies()[at_index(body)].reference));
+                    closing::rough(numeric().bodies()[at_index(body)].reference));
+}
+
+std::vector<Closure::Body> Positions::bodies() const {
+    std::vector<Closure::Body> all = numeric().bodies();
+    for (Closure::Body& body : all) body.reference = body.reference + (1 / Exact::from_double(unit_)) * origin_;
+    return all;
 }
 
 RigidMotion Positions::motion(BodyIndex body) const {
     const BodyPlaceOf<double>& at = now(body);
-    const VectorOf<double> reference = closing::rough(bodies()[at_index(body)].reference);
-    return {at.facing, unit_ * (at.at - faced(at.facing, reference))};
+    const VectorOf<double> reference = closing::rough(numeric().bodies()[at_index(body)].reference);
+    return {at.facing, unit_ * (at.at - faced(at.facing, reference)) + origin() - faced(at.facing, origin())};
 }
 
 /// Beside a limit at the distance e, positions are a power series in √e: 3 q(e) − 3 q(4e) + q(9e) is free of its first

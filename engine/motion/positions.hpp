@@ -60,7 +60,8 @@ public:
     using BranchTaken = closing::BranchTaken;
     const std::optional<BranchTaken>& branch() const { return branch_; }
 
-    double size() const { return unit_; }  ///< of the drawing, m, within a factor of two
+    VectorOf<double> origin() const { return closing::rough(origin_); }  ///< of Places, m
+    double size() const { return unit_; }                                ///< of the drawing, m, within a factor of two
     double turn(BodyIndex body) const {
         return now(body).turn;
     }  ///< rad, since the drawn pose; continues past a full turn
@@ -69,7 +70,7 @@ public:
     /// way to the other end of the travel. None if the limit cannot be approached.
     std::optional<Positions> at_limit(double limit, double inward) const;
     void read(Places& places) const { rules_.read(numeric().places(), places); }
-    /// A place (m) in the body's own frame: where it would be, had the body stayed as drawn.
+    /// A place (m, from the origin of Places) in the body's own frame: where it would be, had the body stayed as drawn.
     VectorOf<double> seen_from(BodyIndex body, const VectorOf<double>& place) const;
     /// Displacement along X of body i of a straight slide relative to j, since the drawn pose, m.
     double slid(JointIndex joint) const { return rules_.slid(numeric().places(), joint); }
@@ -93,7 +94,8 @@ public:
 
     /// The equations and rules in doubles, places in `size()`.
     const std::vector<ClosureRowOf<double>>& rows() const { return numeric().rows(); }
-    const std::vector<Closure::Body>& bodies() const { return numeric().bodies(); }
+    /// Their references from the origin of the file.
+    std::vector<Closure::Body> bodies() const;
     const std::vector<PointRule>& point_rules() const { return rules_.points(); }
     const std::vector<JointRule>& joint_rules() const { return rules_.joints(); }
     /// By driver: its coordinate in the rows divided by the course's.
@@ -109,6 +111,7 @@ private:
     std::optional<std::vector<Exact>> refined_state(const Closure& closure, const Exact& coordinate);
 
     double unit_ = 1;            ///< of the closure, m
+    Vector origin_;              ///< likewise
     std::vector<Exact> shares_;  ///< by driver: its coordinate divided by the course's, in rad and m
     closing::PlaceRules rules_;
     closing::BranchWalk walk_;

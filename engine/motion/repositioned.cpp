@@ -27,8 +27,8 @@ public:
 private:
     Vector place_on(BodyIndex body, PointIndex point) const {
         const BodyPlaceOf<Exact>& at = places_[at_index(body)];
-        const Vector local = (1 / closure_.unit) * pose_.at(point) - closure_.bodies[at_index(body)].reference;
-        const Vector place = closure_.unit * (at.at + faced(at.facing, local));
+        const Vector local = closure_.seen(pose_.at(point)) - closure_.bodies[at_index(body)].reference;
+        const Vector place = closure_.unit * (at.at + faced(at.facing, local)) + closure_.origin;
         return body == frame ? place : on_grid(place);
     }
     /// Coarser than the error of the closure, so that vertical and horizontal directions are exact and numbers stay

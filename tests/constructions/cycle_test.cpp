@@ -296,5 +296,70 @@ TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {
     EXPECT_GT(swept, tests::example_names().size() / 4);
 }
 
+/// The file with another origin.
+Mechanism shifted(Mechanism mechanism, const Vector& by) {
+    const auto shift = [&](Place& place) {
+        if (auto* given = std::get_if<Vector>(&place)) *given = *given + by;
+    };
+    for (NamedPoint& point : mechanism.points) {
+        if (auto* given = std::get_if<Coordinates>(&point.placement)) given->at = given->at + by;
+        auto* meet = std::get_if<Meet>(&point.placement);
+        if (meet == nullptr) continue;
+        if (meet->near) meet->near = *meet->near + by;
+        for (Curve* curve : {&meet->first, &meet->second})
+            if (auto* circle = std::get_if<CircleCurve>(curve))
+                shift(circle->centre);
+            else
+                shift(std::get<LineCurve>(*curve).through);
+    }
+    return mechanism;
+}
+
+// Doubles would have lost all digits of a length there.
+TEST(Cycle, IsTheSameFarFromTheOrigin) {
+    const Vector far{Exact(1'000'000'000), Exact(-300'000'000)};  // m
+    const double coarse = 1e-6;                                   // of places so far, in doubles
+    std::size_t compared = 0;
+    for (const std::string& name : tests::example_names()) {
+        SCOPED_TRACE(name);
+        const auto mechanism = read_mechanism(tests::contents(tests::example_file(name)), name);
+        if (mechanism->drivers.empty()) continue;
+        const Mechanism moved = shifted(*mechanism, far);
+        const Pose pose = *draw_pose(*mechanism);
+        const auto moved_pose = draw_pose(moved);
+        ASSERT_TRUE(moved_pose) << moved_pose.error().front().message.in(Language::en);
+        auto cycle = Cycle::of(*mechanism, pose, 0), away = Cycle::of(moved, *moved_pose, 0);
+        ASSERT_EQ(cycle.has_value(), away.has_value());
+        if (!cycle) continue;
+        const bool turns = std::holds_alternative<SpinDriver>(mechanism->drivers[0]);
+        const auto travel = travel_of(cycle->positions(), turns, {}, {});
+        const auto same_travel = travel_of(away->positions(), turns, {}, {});
+        ASSERT_EQ(travel.has_value(), same_travel.has_value());
+        if (!travel) continue;
+        const double size = cycle->positions().size(), unit = turns ? 1 : size;
+        constexpr double known = 1e-6;  // beside a change point; else to 1e-9
+        EXPECT_NEAR(travel->from, same_travel->from, known * unit);
+        EXPECT_NEAR(travel->to, same_travel->to, known * unit);
+        cycle->begin(*travel);
+        away->begin(*travel);
+        ASSERT_EQ(cycle->columns().size(), away->columns().size());
+        for (const double share : {0.31, 0.77}) {
+            const auto row = cycle->row(travel->at(share)), there = away->row(travel->at(share));
+            ASSERT_EQ(row.has_value(), there.has_value());
+            if (!row) continue;
+            double largest = 0;
+            for (const double value : *row) largest = std::max(largest, std::abs(value));
+            for (std::size_t i = 0; i < row->size(); ++i) {
+                const Column& column = cycle->columns()[i];
+                const bool is_x = column.kind == Column::Kind::place_x, is_y = column.kind == Column::Kind::place_y;
+                const double shift = is_x ? far.x.to_double() : is_y ? far.y.to_double() : 0;
+                EXPECT_NEAR((*row)[i] + shift, (*there)[i], is_x || is_y ? coarse : 1e-9 * largest) << column.name;
+            }
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, tests::example_names().size() / 4);
+}
+
 }  // namespace
 }  // namespace kinegraph::cycle_test
