@@ -13,9 +13,10 @@ namespace {
 
 constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05;
-constexpr double price_of_corner = 0.3;  // half a step of a scale: an equation is read at its step
-constexpr int most_beside = 3;           // columns of text
-constexpr int most_columns_more = 2;     // beyond those of the format, for a page of short lines
+constexpr double price_of_broken_row = 0.03;  // a table is read along its rows; ten of them are worth half a step
+constexpr double price_of_corner = 0.3;       // half a step of a scale: an equation is read at its step
+constexpr int most_beside = 3;                // columns of text
+constexpr int most_columns_more = 2;          // beyond those of the format, for a page of short lines
 
 }  // namespace
 
@@ -306,13 +307,14 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch, 
     return best;
 }
 
-void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const {
+void BandLayouts::try_all(Best& best, Arrangement base, double whole, double height, Notch notch) const {
     constexpr double score_of_beside = 0.02;
     static_assert(score_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
     if (!may_improve(best, base)) return;
     const double above = height - notch.high;
     if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
     const ColumnText& words = text(base.divided, base.cornered);
+    base.score -= price_of_broken_row * words.broken_rows();
     Arrangement layout = base;
     if (words.empty()) {
         layout.divided = 0;
@@ -344,6 +346,7 @@ void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, dou
         if (notch.high > 0 && std::min(left, notch.left) > least_beside)
             try_figures(best, layout, {std::min(left, notch.left), height}, spare);
     }
+    layout.score = base.score;
     if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
 }
 
@@ -365,7 +368,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
-    layout.score = (layout.cornered ? -price_of_corner : 0) - price_of_columns * layout.columns;
+    layout.score -= price_of_columns * layout.columns;
     if (!may_improve(best, layout) || layout.columns * height - least_beside < words.whole_height()) return;
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);

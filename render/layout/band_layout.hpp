@@ -152,7 +152,7 @@ private:
     /// `fills`: white at the end of the space has a price.
     Best best_in(Width width, double height, Notch notch, bool fills) const;
     void try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const;
-    void try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const;
+    void try_all(Best& best, Arrangement base, double whole, double height, Notch notch) const;
     /// `spare`: the same bound for the text; `share_of_height`: the decrease of the height for a decrease of 1 mm of
     /// the figures.
     void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;

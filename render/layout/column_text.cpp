@@ -10,20 +10,33 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double passage_gap = 3.5, rounding_grace = 1e-6;
-constexpr double two_lines = 7.5;       // mm; rows lower than this do not stand alone in a column …
-constexpr double part_of_table = 18.5;  // … nor less than five rows of a table
+constexpr double two_lines = 7.5;         // mm; rows lower than this do not stand alone in a column …
+constexpr std::size_t part_of_table = 5;  // … nor fewer rows of a table
+constexpr double of_one_line = 1.5;       // of the lowest row of a table: a higher one has a cell of several lines
 
 /// End of the group of rows that begins at `first` and stays together: the first rows of a passage stay with its
 /// heading, and no single line is left at the beginning or the end.
 std::size_t end_of_group(const Passage& passage, double scale, std::size_t first) {
     const std::vector<SharedBlock>& rows = passage.rows;
-    const double least = passage.is_table ? part_of_table : two_lines;
+    const auto is_enough = [&](std::size_t count, double height) {
+        return passage.is_table ? count >= part_of_table : height >= two_lines;
+    };
     std::size_t end = first + 1;
     double height = rows[first].height() * scale;
-    while (first == 0 && end < rows.size() && height < least) height += rows[end++].height() * scale;
+    while (first == 0 && end < rows.size() && !is_enough(end, height)) height += rows[end++].height() * scale;
     double left = 0;
-    for (std::size_t i = end; i < rows.size() && left < least; ++i) left += rows[i].height() * scale;
-    return left < least ? rows.size() : end;
+    std::size_t next = end;
+    while (next < rows.size() && !is_enough(next - end, left)) left += rows[next++].height() * scale;
+    return is_enough(next - end, left) ? end : rows.size();
+}
+
+/// The rows of a table with a cell of several lines.
+int broken_rows_of(const Passage& passage) {
+    if (!passage.is_table || passage.rows.empty()) return 0;
+    const auto lower = [](const SharedBlock& one, const SharedBlock& other) { return one.height() < other.height(); };
+    const double lowest = std::min_element(passage.rows.begin(), passage.rows.end(), lower)->height();
+    return static_cast<int>(std::count_if(passage.rows.begin(), passage.rows.end(),
+                                          [&](const SharedBlock& row) { return row.height() > of_one_line * lowest; }));
 }
 
 }  // namespace
@@ -40,6 +53,7 @@ ColumnText::ColumnText(std::vector<Passage> passages, double measure, double sca
     for (std::size_t p = 0; p < passages_.size(); ++p) {
         const Passage& passage = passages_[p];
         too_wide_ = too_wide_ || is_wider(passage, scale_, measure_);
+        broken_rows_ += broken_rows_of(passage);
         for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
             end = end_of_group(passage, scale_, first);
             double rows = 0;

@@ -25,6 +25,8 @@ public:
     double measure() const { return measure_; }
     /// Whether a table or a heading is wider than its column.
     bool is_too_wide() const { return too_wide_; }
+    /// The number of rows of tables in which a cell takes several lines.
+    int broken_rows() const { return broken_rows_; }
     /// The least height for this number of columns, mm.
     double height(int columns) const {
         const auto index = static_cast<std::size_t>(columns);
@@ -62,6 +64,7 @@ private:
     std::vector<Group> groups_;
     double measure_;
     bool too_wide_ = false;
+    int broken_rows_ = 0;
     mutable std::vector<double> heights_;  // by number of columns; negative: not computed
     mutable double whole_ = -1;            // height in a single column; negative: not computed
 };

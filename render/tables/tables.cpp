@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -413,8 +415,14 @@ struct ResultsTable::Parts {
                       small(word(lang::sheet::unit, language)),
                       small(word(lang::sheet::difference, language) + " %")};
         measure(head, context.theme.small, context.theme.small);
-        // The arithmetic of the readings, "mm × 0.005", if all rows share one scale.
-        if (const auto scale = scale_of(rows)) product = small("mm × " + round_number(*scale, language));
+        // The arithmetic of the readings, "mm × 0.005", if all rows share one scale; what is read in a detail names it.
+        std::vector<ResultRow> read_here;
+        std::copy_if(rows.begin(), rows.end(), std::back_inserter(read_here),
+                     [](const ResultRow& row) { return row.detail.empty(); });
+        if (const auto scale = scale_of(read_here)) {
+            product = small("mm × " + round_number(*scale, language));
+            product_width = context.fonts.width(product, context.theme.small);
+        }
         std::map<std::pair<RowGroup, std::string>, double> largest;  // by group and unit
         for (const ResultRow& row : rows) {
             double& most = largest[{row.group, row.unit}];
@@ -459,7 +467,8 @@ struct ResultsTable::Parts {
 
     const DrawingContext& context;
     Line head;
-    RichText product{};  ///< shown in the head if there is room; empty if there are several scales
+    RichText product{};        ///< shown in the head; empty if there are several scales
+    double product_width = 0;  ///< mm
     std::vector<Line> lines{};
     Widths widths{};
 };
@@ -544,9 +553,14 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
         for (const Parts::Line& each : parts_->lines)
             if (!is_over(each)) widths[0] = std::max(widths[0], each.name);
     }
-    double total = 0;
-    for (const double w : widths) total += w;
-    const double gap = std::clamp((width - total) / 5, Parts::least_gap, 9.0);
+    const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), 0.0); };
+    const auto gap_in = [&] { return std::clamp((width - total()) / 5, Parts::least_gap, 9.0); };
+    // The factor of the readings stands in the head above names and lengths: they leave it room where there is some.
+    constexpr double widened = 1.25;  // a fifth of it is taken from the gap between them
+    const double lacks = parts_->product_width - widths[0] - gap_in() - widths[1];
+    if (lacks > 0 && total() + widened * lacks + (Parts::columns - 1) * Parts::least_gap <= width)
+        widths[0] += widened * lacks;
+    const double gap = gap_in();
     Parts::Widths left{};
     for (std::size_t c = 1; c < Parts::columns; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
     const double whole = left.back() + widths.back();
@@ -857,14 +871,14 @@ Key kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solu
                                                          : lang::sheet::body;
 }
 
-/// "80 mm". A given length is shown as given, a derived one to four digits.
+/// "80 mm", which no line break parts. A given length is shown as given, a derived one to four digits.
 std::string length_between(PointIndex a, PointIndex b, const Solution& solution, Language language) {
     const Unit& unit = solution.mechanism.units.length;
     const Vector between = solution.pose.at(b) - solution.pose.at(a);
     const double l = length(Spot{(between.x / unit.si).to_double(), (between.y / unit.si).to_double()});
     const double nice = std::round(l * 1e6) / 1e6;
     const std::string exact = shortest(nice, language);
-    return (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol;
+    return (exact.size() <= 6 ? exact : number(l, 4, language)) + "\u00a0" + unit.symbol;
 }
 
 /// The curved slots in a body: the centre and radius that its normal accelerations v²/ρ need.
