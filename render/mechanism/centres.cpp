@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/sentences/centre_symbol.hpp"
+#include "render/mechanism/centre_choice.hpp"
 #include "render/mechanism/near_places.hpp"
 #include "render/mechanism/sketch.hpp"
 
@@ -119,7 +120,7 @@ private:
         }
     }
 
-    /// Centres in the order found; if there are many or space is short, only those needed for the absolute centres.
+    /// Centres in the order found; if there are many or space is short, only those that are needed.
     void choose() {
         for (std::size_t c = 0; c < all_.size(); ++c) order_.push_back(c);
         std::stable_sort(order_.begin(), order_.end(),
@@ -127,41 +128,66 @@ private:
         double secondary = 0;
         for (std::size_t c = 0; c < all_.size(); ++c) secondary += all_[c].at && !is_primary(c) ? 1 : 0;
         constexpr double room_for_one = 700;  // mm² per centre
-        if (secondary <= 14 && view_.width() * view_.height() >= room_for_one * secondary) return;
-        drawn_.assign(all_.size(), false);
-        std::vector<std::size_t> wanted;
-        for (std::size_t c = 0; c < all_.size(); ++c)
-            if (all_[c].first == frame || is_primary(c)) wanted.push_back(c);
-        while (!wanted.empty()) {
-            const std::size_t c = wanted.back();
-            wanted.pop_back();
-            if (drawn_[c]) continue;
-            drawn_[c] = true;
-            for (const auto& [a, b] : all_[c].through)
-                for (const int one : {a, b}) wanted.push_back(at_index(one));
-        }
+        if (secondary > 14 || view_.width() * view_.height() < room_for_one * secondary)
+            drawn_ = needed_centres(sketch_.subject.solution);
     }
 
-    /// Draws the lines that determine centre c.
+    /// Draws the lines that determine centre c: those that found it, or, where the velocities did, lines of centres.
     void construct(std::size_t c) {
-        for (const auto& [a, b] : all_[c].through) {
-            std::vector<Spot> known;
-            std::optional<Spot> direction;
-            for (const int one : {a, b}) {
-                const std::size_t k = at_index(one);
-                if (where_[k] == Where::infinity) direction = place_[k];
-                if (where_[k] == Where::here || where_[k] == Where::far) known.push_back(place_[k]);
-            }
-            // Start from visible centres.
-            std::stable_sort(known.begin(), known.end(),
-                             [&](Spot p, Spot q) { return contains(view_, p) && !contains(view_, q); });
-            construct(c, known, direction);
+        std::vector<Ray> own;
+        for (const auto& [a, b] : all_[c].through) construct(c, {at_index(a), at_index(b)}, own);
+        for (const PointIndex point : all_[c].normals) construct(c, {sketch_.spot(point)}, std::nullopt, own);
+        for (const Join& join : further_joins(c)) {
+            if (own.size() >= 2) break;
+            construct(c, join, own);
         }
-        for (const PointIndex point : all_[c].normals) construct(c, {sketch_.spot(point)}, std::nullopt);
     }
 
-    /// A line through the finite places `known` (and in `direction`) to centre c and a little beyond.
-    void construct(std::size_t c, const std::vector<Spot>& known, std::optional<Spot> direction) {
+    /// Two centres, by their indices, whose join contains a third.
+    using Join = std::pair<std::size_t, std::size_t>;
+    /// By Kennedy's theorem the centres P_ik and P_kj of any third body k are in line with P_ij. Those that are most
+    /// easily found first: hinges, then what is seen.
+    std::vector<Join> further_joins(std::size_t c) const {
+        using enum InstantCentre::How;
+        if (all_[c].how != velocities && all_[c].how != accelerations) return {};
+        std::vector<Join> joins;
+        for (const BodyIndex k : indices_of(sketch_.mechanism.bodies)) {
+            if (k == all_[c].first || k == all_[c].second) continue;
+            const Join join{index_of_centre(sketch_.mechanism, all_[c].first, k),
+                            index_of_centre(sketch_.mechanism, k, all_[c].second)};
+            const auto serves = [&](std::size_t one) {
+                return where_[one] != Where::nowhere && drawn_[one] && !all_[one].everywhere;
+            };
+            if (serves(join.first) && serves(join.second) && !together(join.first, join.second)) joins.push_back(join);
+        }
+        const auto effort = [&](const Join& join) {
+            int sum = 0;
+            for (const std::size_t one : {join.first, join.second})
+                sum += is_primary(one) ? 0 : where_[one] == Where::here ? 1 : 2;
+            return sum;
+        };
+        std::stable_sort(joins.begin(), joins.end(),
+                         [&](const Join& a, const Join& b) { return effort(a) < effort(b); });
+        return joins;
+    }
+
+    void construct(std::size_t c, const Join& join, std::vector<Ray>& own) {
+        std::vector<Spot> known;
+        std::optional<Spot> direction;
+        for (const std::size_t k : {join.first, join.second}) {
+            if (where_[k] == Where::infinity) direction = place_[k];
+            if (where_[k] == Where::here || where_[k] == Where::far) known.push_back(place_[k]);
+        }
+        // Start from visible centres.
+        std::stable_sort(known.begin(), known.end(),
+                         [&](Spot p, Spot q) { return contains(view_, p) && !contains(view_, q); });
+        construct(c, known, direction, own);
+    }
+
+    /// A line through the finite places `known` (and in `direction`) to centre c and a little beyond; joins `own`, the
+    /// lines of this centre, unless it is one of them.
+    void construct(std::size_t c, const std::vector<Spot>& known, std::optional<Spot> direction,
+                   std::vector<Ray>& own) {
         if (known.empty()) return;
         const Spot start = known[0];
         Spot along;
@@ -176,6 +202,8 @@ private:
         else
             return;
         Ray ray{start, along, 0, 0, all_[c].statement};
+        if (std::any_of(own.begin(), own.end(), [&](const Ray& other) { return is_one_line(ray, other); })) return;
+        own.push_back(ray);
         const auto take = [&](Spot spot) {
             ray.from = std::min(ray.from, dot(spot - start, along));
             ray.to = std::max(ray.to, dot(spot - start, along));
@@ -183,8 +211,10 @@ private:
         for (const Spot spot : known)
             if (contains(view_, spot)) take(spot);
         if (where_[c] == Where::here) {
-            take(place_[c]);
             const double t = dot(place_[c] - start, along);
+            // Between places outside the drawing it is seen about its centre only.
+            if (!contains(view_, start)) ray.from = ray.to = t;
+            take(place_[c]);
             if (t >= ray.to - 1e-9) ray.to += overshoot;
             if (t <= ray.from + 1e-9) ray.from -= overshoot;
         } else {
@@ -201,20 +231,29 @@ private:
         bool forward = dot(place_[c] - ray.at, ray.along) > 0;
         if (where_[c] == Where::infinity) {
             // Either end is possible, but all lines use the same one: that with fewer collisions.
-            if (!arrows_[c].empty())
-                forward = dot(arrows_[c].front().along, ray.along) > 0;
+            if (arrows_[c])
+                forward = dot(arrows_[c]->along, ray.along) > 0;
             else
                 forward = obstruction(ray, ray.to, 1) + 0.01 * (seen.to - ray.to) <=
                           obstruction(ray, ray.from, -1) + 0.01 * (ray.from - seen.from);
         }
-        constexpr double beyond = 16, both_seen = 9;
+        constexpr double beyond = 16;
         if (forward)
-            ray.to =
-                where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + both_seen) : ray.to + beyond;
+            ray.to = where_[c] == Where::far ? base_of_arrow(ray, ray.to, 1, seen.to) : ray.to + beyond;
         else
-            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - both_seen)
-                                               : ray.from - beyond;
-        arrows_[c].push_back({ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along});
+            ray.from = where_[c] == Where::far ? base_of_arrow(ray, ray.from, -1, -seen.from) : ray.from - beyond;
+        if (!arrows_[c])
+            arrows_[c] = Arrow{ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along};
+    }
+    /// Where on the ray the arrow to a distant centre begins: soon behind its last centre, or nearer to the edge of the
+    /// view if there is less in its way.
+    double base_of_arrow(const Ray& ray, double last, double sense, double edge) const {
+        constexpr double both_seen = 8, step = 4, per_millimetre = 0.05;
+        const double most = edge - 0.6 * broken_end;
+        Cheapest<double> best;
+        for (double on = sense * last + both_seen, first = on; on <= std::max(first, most); on += step)
+            best.offer(obstruction(ray, sense * on, sense) + per_millimetre * (on - first), sense * on);
+        return best.choice;
     }
     double obstruction(const Ray& ray, double end, double sense) const {
         double sum = 0;
@@ -227,10 +266,12 @@ private:
         return sum;
     }
 
+    static bool is_one_line(const Ray& a, const Ray& b) {
+        return std::abs(cross(a.along, b.along)) < 1e-6 && std::abs(cross(a.along, b.at - a.at)) < 1e-3;
+    }
     void draw_once(const Ray& added) {
         for (Ray& ray : rays_)
-            if (std::abs(cross(ray.along, added.along)) < 1e-6 &&
-                std::abs(cross(ray.along, added.at - ray.at)) < 1e-3) {
+            if (is_one_line(ray, added)) {
                 const double a = dot(added.at + added.from * added.along - ray.at, ray.along);
                 const double b = dot(added.at + added.to * added.along - ray.at, ray.along);
                 ray.from = std::min({ray.from, a, b});
@@ -251,8 +292,7 @@ private:
         if (where_[c] != where_[d]) return false;
         if (where_[c] == Where::here) return coincide(place_[d], place_[c]);
         if (where_[c] == Where::far) return length(place_[d] - place_[c]) < 1e-6 * length(place_[c]) + same_place;
-        return !is_primary(d) && !arrows_[c].empty() && !arrows_[d].empty() &&
-               length(arrows_[c].front().base - arrows_[d].front().base) < 2;
+        return !is_primary(d) && arrows_[c] && arrows_[d] && length(arrows_[c]->base - arrows_[d]->base) < 2;
     }
 
     LabelRequest label_of(const std::vector<std::size_t>& cluster, bool at_pin) const {
@@ -304,8 +344,8 @@ private:
             for (const Joint& joint : sketch_.mechanism.joints)
                 if (joint.pair().is_sleeve() && joint.connects(all_[c].first) && joint.connects(all_[c].second))
                     return shaft_from_slide(joint.point, place_[c]);
-        if (!arrows_[c].empty()) {
-            const auto& [base, along] = arrows_[c].front();
+        if (arrows_[c]) {
+            const auto& [base, along] = *arrows_[c];
             return where_[c] == Where::far ? Shaft{base, along, broken_end} : Shaft{base, along};
         }
         const Spot start = sketch_.shape(all_[c].second).middle;
@@ -333,11 +373,8 @@ private:
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
+            // An arrow has a name: a centre's further lines end without a head.
             draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary);
-            // Both lines name their target.
-            for (std::size_t k = 1; k < arrows_[d].size(); ++k)
-                draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,
-                           theme.secondary);
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, false);
@@ -359,7 +396,7 @@ private:
     std::vector<std::size_t> order_;
     Box view_;
     std::vector<Ray> rays_;
-    std::vector<std::vector<Arrow>> arrows_;          // arrows to each centre, one per line that leaves the drawing
+    std::vector<std::optional<Arrow>> arrows_;  // to each centre that the drawing does not reach, on its first line
     std::vector<std::optional<Named>> counted_from_;  // reference of the distance of a distant centre
 };
 
