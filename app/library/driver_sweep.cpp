@@ -255,9 +255,12 @@ private:
             lines.emplace_back(
                 lang::sweeps::driver_goes, table.driver, coordinate(travel.from), coordinate(travel.to),
                 travel.starts_at_limit ? Words(lang::sweeps::its_limits) : Words(lang::sweeps::its_limit));
-        for (const auto& [is_limit, at, inward] :
-             {std::tuple(travel.starts_at_limit, travel.from, 1.0), std::tuple(travel.ends_at_limit, travel.to, -1.0)})
-            if (is_limit && is_beside_change_point(at, travel.to > travel.from ? inward : -inward))
+        for (const auto& [is_limit, is_far, at, inward] :
+             {std::tuple(travel.starts_at_limit, travel.starts_far, travel.from, 1.0),
+              std::tuple(travel.ends_at_limit, travel.ends_far, travel.to, -1.0)})
+            if (is_far)
+                lines.emplace_back(lang::sweeps::limit_where_a_place_goes_to_infinity, coordinate(at));
+            else if (is_limit && is_beside_change_point(at, travel.to > travel.from ? inward : -inward))
                 lines.emplace_back(lang::sweeps::limit_beside_a_change_point, coordinate(at));
         const auto& branch = cycle_->positions().branch();
         if (branch)

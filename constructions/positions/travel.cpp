@@ -44,6 +44,7 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
         travel.ends_at_limit = !tried.move_to(wanted);
         if (!travel.ends_at_limit && !turns) return tl::unexpected(TravelFault{});
         travel.to = travel.ends_at_limit ? *tried.limit() : wanted;
+        travel.ends_far = travel.ends_at_limit && tried.is_limit_far();
     }
     note_change_points();
     if (!from && !to && travel.ends_at_limit) {
@@ -51,6 +52,7 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
         travel.starts_at_limit = !tried.move_to(-far);
         if (!travel.starts_at_limit) return tl::unexpected(TravelFault{});
         travel.from = *tried.limit();
+        travel.starts_far = tried.is_limit_far();
         note_change_points();
     }
     std::sort(travel.change_points.begin(), travel.change_points.end());

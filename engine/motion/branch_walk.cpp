@@ -42,6 +42,15 @@ bool step_by(NumericClosure& closure, std::size_t column, const State& from, dou
     return correction < share * std::abs(reach) + noise;
 }
 
+/// Where the last three values lead to, if their differences shrink as a geometric series.
+std::optional<double> limit_of(const std::vector<double>& values) {
+    if (values.size() < 3) return std::nullopt;
+    const double* last = &values[values.size() - 3];
+    const double before = last[1] - last[0], after = last[2] - last[1];
+    if (!(after * before > 0 && std::abs(after) < std::abs(before))) return std::nullopt;
+    return last[2] + after * after / (before - after);
+}
+
 }  // namespace
 
 // --- the start
@@ -186,6 +195,7 @@ bool BranchWalk::bridge(State& state) {
 /// reverses: that is the limit. True: the path reaches `towards` after all; that position is then in next_.
 bool BranchWalk::find_limit(double towards) {
     limit_ = here_.s;
+    is_limit_far_ = false;
     State high = here_;
     double slope = 0;
     // Whether the path, followed first by this unknown, reaches `towards` or its limit; nothing if it cannot be
@@ -236,7 +246,37 @@ bool BranchWalk::find_limit(double towards) {
     const std::vector<std::size_t> columns = by_size(here_.v);
     for (std::size_t i = 0; i < std::min(most, columns.size()) && here_.v[columns[i]] != 0; ++i)
         if (const auto reaches = follow(columns[i])) return *reaches;
+    const std::optional<double> found = pole(towards);
+    is_limit_far_ = found.has_value();
+    if (found) limit_ = found;
     return false;
+}
+
+/// Where a place goes to infinity, as on two guides that become parallel, the course ends without turning round. By
+/// that unknown u it goes on, and s(u) tends to the limit as a power of 1/u. So do places each twice as far as the one
+/// before, from three of which Aitken's Δ² gives the limit; from three of these limits it gives a better one.
+std::optional<double> BranchWalk::pole(double towards) {
+    constexpr double far = 4, farthest = 1e6;  // in the closure's unit
+    constexpr int steps = 8;                    // from one of these places to the next
+    constexpr double known = 1e-10;
+    const std::size_t column = by_size(here_.v).front();
+    State at = here_, next = here_;
+    double slope = 0;
+    if (!(std::abs(at.q[column]) > far) || !closure_.close_at(column, at, slope)) return std::nullopt;
+    if (slope * at.q[column] * (towards - at.s) <= 0) return std::nullopt;
+    std::vector<double> reached{at.s}, limits, better;
+    while (std::abs(at.q[column]) < farthest) {
+        const double reach = at.q[column] / steps, sense = slope;
+        for (int i = 0; i < steps; ++i) {
+            if (!step_by(closure_, column, at, slope, reach, next, slope) || slope * sense <= 0) return std::nullopt;
+            std::swap(at, next);
+        }
+        reached.push_back(at.s);
+        if (const auto found = limit_of(reached)) limits.push_back(*found);
+        if (const auto found = limit_of(limits)) better.push_back(*found);
+        if (better.size() > 1 && std::abs(better.back() - better[better.size() - 2]) < known) return better.back();
+    }
+    return std::nullopt;
 }
 
 /// Between two positions of a path, by the unknown in a column, on both sides of the extreme of the driver's

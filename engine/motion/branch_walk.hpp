@@ -33,6 +33,8 @@ public:
     /// position is unchanged.
     bool move_to(double coordinate);
     std::optional<double> limit() const { return limit_; }
+    /// Whether the course stops there because a place goes to infinity.
+    bool is_limit_far() const { return is_limit_far_; }
     const std::vector<double>& change_points() const { return change_points_; }
     /// Whether the velocities are undetermined here, or too ill-conditioned for doubles.
     bool is_singular() const { return here_.slack < least_slack; }
@@ -47,6 +49,7 @@ private:
     bool pass(State& from, const State& to);
     bool bridge(State& state);
     bool find_limit(double towards);
+    std::optional<double> pole(double towards);
     double turning_point(std::size_t column, State low, double slope_low, State high, double slope_high);
     void accept();
 
@@ -55,6 +58,7 @@ private:
     State here_, before_, next_, regular_, low_, high_, middle_, start_here_, start_before_, start_regular_;
     bool has_before_ = false;
     std::optional<double> limit_;
+    bool is_limit_far_ = false;
     std::vector<double> change_points_;
     std::vector<double> sign_changes_;  ///< of the determinant along the branch, as far as pass() has met them
 };

@@ -51,6 +51,8 @@ public:
     double coordinate() const { return walk_.here().s; }
     /// Where the driver was last found to stop, within 1e-9 rad (or 1e-9 of the drawing's size).
     std::optional<double> limit() const { return walk_.limit(); }
+    /// Whether it stops there because a place goes to infinity, as on guides that become parallel.
+    bool is_limit_far() const { return walk_.is_limit_far(); }
     /// Whether the driver does not determine the velocities here: a dead point or a change point, or too near to one
     /// for doubles.
     bool is_singular() const { return walk_.is_singular(); }

@@ -49,6 +49,7 @@ struct Travel {
     /// For a driver with a law: start and end time, s, zero as drawn. Positions are then equally spaced in time, and
     /// `from` and `to` are the least and the greatest coordinate.
     std::optional<std::pair<double, double>> times = std::nullopt;
+    bool starts_far = false, ends_far = false;  ///< whether a place goes to infinity at that limit
 
     /// The position at this fraction of the travel, from 0 to 1: a time where there is a law, else a coordinate.
     double at(double share) const {

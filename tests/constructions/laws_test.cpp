@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "constructions/positions/cycle.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/board/board.hpp"
 #include "engine/results/quantity_name.hpp"
@@ -242,6 +243,65 @@ TEST(Similar, FourBarByCompassTurnedByAPythagoreanAngle) {
     const Solution original = solved(four_bar);
     EXPECT_FALSE(original.pose.exact);
     expect_moved(by, original, solved(moved(by, four_bar)), 1e-12);
+}
+
+struct Travelled {
+    bool stops = false;
+    double from = 0, to = 0;
+    std::vector<std::map<std::string, double>> rows;  ///< by name of the column
+};
+/// The cycle of the first driver with three of its rows; empty if it has no travel. `sense`: −1 from its end to its
+/// beginning.
+Travelled travelled(const Mechanism& mechanism, int sense) {
+    Travelled found;
+    const Pose pose = *draw_pose(mechanism);
+    auto cycle = Cycle::of(mechanism, pose, 0);
+    if (!cycle) return found;
+    std::optional<double> to;
+    auto travel = travel_of(cycle->positions(), true, {}, {});
+    if (travel && !travel->ends_at_limit) to = sense * travel->to, travel = travel_of(cycle->positions(), true, 0, to);
+    if (!travel) return found;
+    cycle->begin(*travel);
+    found.stops = travel->ends_at_limit;
+    found.from = travel->from, found.to = travel->to;
+    if (found.stops && sense < 0) std::swap(found.from, found.to);
+    for (const double share : {0.23, 0.61, 0.87}) {
+        std::map<std::string, double>& row = found.rows.emplace_back();
+        if (const auto values = cycle->row(found.from + share * (found.to - found.from)))
+            for (std::size_t i = 0; i < values->size(); ++i) row[cycle->columns()[i].name] = (*values)[i];
+    }
+    return found;
+}
+
+// The whole cycle is that of the mirrored, turned, scaled and moved mechanism: limits, also those at which a place goes
+// to infinity, and rows.
+TEST(Similar, CyclesAreTheImagesOfOneAnother) {
+    const Similarity by{pythagorean, true, Exact::ratio(7, 3), at("1", "2")};
+    const int most = unless_sanitized(60, 10);
+    constexpr double known = 1e-6;  // limits beside a change point
+    int held = 0, stopped = 0;
+    for (std::uint64_t seed = 20000; held < most; ++seed) {
+        const RandomMechanism random = random_mechanism(seed);
+        const Mechanism mechanism = from_text(random.text);
+        if (random.by_compass || drives_along(mechanism)) continue;
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
+        const Travelled original = travelled(mechanism, 1), image = travelled(moved(by, mechanism), -1);
+        ++held;
+        ASSERT_EQ(original.rows.size(), image.rows.size());
+        ASSERT_EQ(original.stops, image.stops);
+        stopped += original.stops ? 1 : 0;
+        EXPECT_NEAR(original.from, -image.from, known);
+        EXPECT_NEAR(original.to, -image.to, known);
+        for (std::size_t r = 0; r < original.rows.size(); ++r) {
+            EXPECT_EQ(original.rows[r].size(), image.rows[r].size());
+            for (const auto& [name, value] : original.rows[r]) {
+                if (!name.starts_with("omega ") && !name.starts_with("alpha ")) continue;
+                ASSERT_TRUE(image.rows[r].contains(name));
+                EXPECT_NEAR(value, -image.rows[r].at(name), known * std::max(1.0, std::abs(value))) << name;
+            }
+        }
+    }
+    EXPECT_GT(stopped, held / 4);
 }
 
 TEST(Similar, FasterDriversScaleVelocitiesAndSquareAccelerations) {
