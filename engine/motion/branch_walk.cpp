@@ -257,8 +257,8 @@ bool BranchWalk::find_limit(double towards) {
 /// before, from three of which Aitken's Δ² gives the limit; from three of these limits it gives a better one.
 std::optional<double> BranchWalk::pole(double towards) {
     constexpr double far = 4, farthest = 1e6;  // in the closure's unit
-    constexpr int steps = 8;                    // from one of these places to the next
-    constexpr double known = 1e-10;
+    constexpr int steps = 8;                   // from one of these places to the next
+    constexpr double known = 1e-9;             // of two such limits; the better one is known to a seventh of that
     const std::size_t column = by_size(here_.v).front();
     State at = here_, next = here_;
     double slope = 0;

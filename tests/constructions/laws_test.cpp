@@ -17,6 +17,7 @@
 #include "constructions/positions/cycle.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/board/board.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/results/quantity_name.hpp"
 #include "engine/results/results.hpp"
 #include "lang/keys/sentences.hpp"
@@ -299,6 +300,44 @@ TEST(Similar, CyclesAreTheImagesOfOneAnother) {
                 ASSERT_TRUE(image.rows[r].contains(name));
                 EXPECT_NEAR(value, -image.rows[r].at(name), known * std::max(1.0, std::abs(value))) << name;
             }
+        }
+    }
+    EXPECT_GT(stopped, held / 4);
+}
+
+// Drawn anew in a position on its way, a mechanism goes the same way.
+TEST(Similar, ATravelIsTheSameFromEachOfItsPositions) {
+    const int most = unless_sanitized(60, 10);
+    constexpr double known = 2e-6;  // limits beside a change point, twice
+    int held = 0, stopped = 0;
+    for (std::uint64_t seed = 30000; held < most; ++seed) {
+        const RandomMechanism random = random_mechanism(seed);
+        const Mechanism mechanism = from_text(random.text);
+        if (mechanism.drivers.size() != 1) continue;
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
+        const bool turns = std::holds_alternative<SpinDriver>(mechanism.drivers[0]);
+        const Pose pose = *draw_pose(mechanism);
+        auto positions = Positions::of(mechanism, pose, 0);
+        if (!positions) continue;
+        const auto travel = travel_of(*positions, turns, {}, {});
+        if (!travel) continue;
+        ++held;
+        const Mover mover(mechanism, pose);
+        for (const double share : {0.13, 0.71}) {
+            const double here = travel->at(share);
+            ASSERT_TRUE(positions->move_to(here));
+            if (positions->is_singular()) continue;
+            const auto redrawn = mover.moved(*positions, Exact::from_double(here));
+            ASSERT_TRUE(redrawn);
+            const auto from_there = Positions::of(redrawn->mechanism, redrawn->pose, 0);
+            ASSERT_TRUE(from_there);
+            const auto again = travel_of(*from_there, turns, {}, {});
+            ASSERT_TRUE(again);
+            ASSERT_EQ(again->ends_at_limit, travel->ends_at_limit);
+            if (!travel->ends_at_limit) continue;
+            ++stopped;
+            EXPECT_NEAR(again->from + here, travel->from, known);
+            EXPECT_NEAR(again->to + here, travel->to, known);
         }
     }
     EXPECT_GT(stopped, held / 4);
