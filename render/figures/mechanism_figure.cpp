@@ -256,11 +256,11 @@ private:
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
-        draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
         std::vector<RichText> left_out;
         if (shows.centres) left_out = draw_centres(sketch);
+        draw_drivers(sketch);
         draw_equivalent_linkages(sketch);
         if (arrows.accelerations_of_drivers) draw_accelerations_of_drivers(sketch);
         for (const Symbol::Letter letter : arrows.found) draw_turnings(sketch, letter);

@@ -36,6 +36,7 @@ public:
     const DrawingContext& context;
     std::set<std::pair<BodyIndex, BodyIndex>> poles;  ///< absolute centres drawn by draw_pole()
     std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow; the ground symbol turns away from these
+    std::vector<Bar> names_of_arcs;    ///< where the names of arcs of ω and α have room, which later arcs avoid
 
     /// An id that is unique within the figure.
     GroupId id(std::string_view kind, std::string_view name);

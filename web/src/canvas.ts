@@ -20,7 +20,7 @@ export interface Scene {
     faulty: Set<string>;
 }
 
-const looks = 5;
+const looks = 10;
 
 /** A contact of which the file says the tangent only, with the frame. */
 const isRoller = ({kind, form, bodies}: JointItem, frame: string) =>

@@ -16,7 +16,8 @@ void PointRecipes<plane>::slide_by_driver(Track<plane>& track, const Step& step)
     const BodyIndex guide_body = step.inverse ? step.body : step.other;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(guide_body)) return;
     pen_.begin<plane>(either<plane>(lang::sentences::driven_point_velocity, lang::sentences::driven_point_acceleration),
-                      {chains_.absolute<plane>(step.node), PointName{chains_.mechanism().joints[at(step.joint)].name}},
+                      {chains_.absolute<plane>(step.node),
+                       reader_name(chains_.mechanism(), chains_.mechanism().joints[at(step.joint)])},
                       is_velocity<plane> ? "" : "Coriolis");
     const NodeIndex slider = step.inverse ? step.base : step.node, guide = step.inverse ? step.node : step.base;
     PointOn<plane> tip = track.tip(step.base);
