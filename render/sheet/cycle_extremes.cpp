@@ -170,8 +170,8 @@ private:
         const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid && !is_beside_gap(table_, least) && !is_beside_gap(table_, most)) {
             const bool is_far = is_unbounded(table_, column, true) || is_unbounded(table_, column, false);
-            say(lang::sheet::stroke, is_far ? word(lang::sheet::without_limit, context_.language)
-                                            : amount(most.value - least.value, of));
+            say(lang::sheet::stroke,
+                is_far ? word(lang::sheet::without_limit, context_.language) : amount(most.value - least.value, of));
             if (is_far) return tell_of_poles(column, said);
             // For a full turn at constant speed the time is proportional to the rotation between the two ends of the
             // stroke, if it goes forth once and back once.
