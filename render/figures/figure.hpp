@@ -98,7 +98,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
 /// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `part`: as for mechanism_with_forces(); then
 /// the id ends in "-load-<load>".
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
-                        bool at_pairs = true, int part = all_loads);
+                        bool at_pairs = true, int part = all_loads, const ScaleWish& wish = {});
 
 // Joukowsky's lever: forces at the tips of the velocities turned by a quarter turn. Their moments about the pole are
 // the powers with opposite sign.

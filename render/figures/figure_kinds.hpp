@@ -37,6 +37,7 @@ struct SizeWanted {
     double least = 18;                  ///< mm; nothing can be read off the figure if its longer extent is less
     double enough = 200;                ///< mm; it gains nothing from a larger size
     double weight = 1;                  ///< of its score, relative to other figures
+    double arrow = 0;                   ///< mm, of its longest vector, at a scale of its own; 0: it has no such vectors
     std::optional<double> asked{};      ///< the scale in the file
     bool empty = false;                 ///< all vectors are zero: a pole and names
     bool spare = false;                 ///< shown alone, or if there is room

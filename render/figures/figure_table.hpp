@@ -74,7 +74,7 @@ constexpr SizeWanted of_motion{.least = 16, .enough = 110, .weight = 1.5};
 constexpr SizeWanted of_forces{.least = 0, .enough = 110, .to_force_scale = true};
 constexpr SizeWanted single_of_forces{.least = 0, .enough = 110, .to_force_scale = true, .may_be_larger = true};
 constexpr SizeWanted row_of_forces{.least = 0, .enough = 110, .to_force_scale = true, .is_row = true};
-constexpr SizeWanted of_body{.rim_x = 14, .rim_y = 20, .least = 10, .enough = 70, .weight = 0.6, .fills = true};
+constexpr SizeWanted of_body{.rim_x = 14, .rim_y = 20, .least = 10, .enough = 80, .weight = 0.6, .arrow = 20};
 constexpr SizeWanted of_circle{.rim_x = 13, .rim_y = 13, .weight = 0.03, .spare = true, .fills = true};
 
 using Marks = InPage::Marks;

@@ -26,6 +26,10 @@ struct ScaleWish {
     bool strict = false;            ///< names keep to the room even where they stand worse
     /// At no coarser scale than the finest that is allowed: without room at that, the figure is empty and at any_scale.
     bool exactly = false;
+    /// Of vectors that have a scale of their own: how long the longest of them is at least, mm. 0: as the room allows.
+    double arrow = 0;
+    /// The scale of these vectors, units per mm: the coarsest, or that of all if no length is asked for. 0: any.
+    double vectors = 0;
 };
 
 struct FitPolicy {

@@ -435,9 +435,8 @@ bool acts_at_centre(const AppliedForce& applied) {
 struct ForceScale {
     double si = 1;          // SI value of the unit
     double per_millimetre;  // in the unit
-    bool says_values;  // false in a narrow room, where text would make the scale coarser; the table of results has the
-                       // values
-    bool at_pairs;     // also shows force and couple of a sleeve at its pair
+    bool says_values;       // where they have room; the table of results has them
+    bool at_pairs;          // also shows force and couple of a sleeve at its pair
 };
 
 class FreeBodyDrawing {
@@ -944,78 +943,133 @@ void say_thin(Figure& figure, const DrawingContext& context, double room) {
     if (caption_width(context, figure, two_digits) > room) figure.further_scale = before;
 }
 
-/// With its points of application and near points of concurrency, m.
-Box extent_of_free_body(const LoadCase& loads, std::size_t index) {
-    return extent_of_body(Subject(loads.solution()), loads.bodies()[index]).all;
-}
-
 /// The scale in the file, where the longest arrow has room at it.
 std::optional<double> kept_scale(const Mechanism& mechanism, double longest, Spot room) {
     const auto asked = asked_scale(mechanism, FigureKind::free_body);
     return asked && longest / *asked <= room.x + room.y ? asked : std::nullopt;
 }
 
+/// A free body with its forces in a room: the scale of its lengths and that of its forces are chosen apart.
+class FreeBodyFigure {
+public:
+    FreeBodyFigure(const DrawingContext& context, FigureId id, Spot room, bool at_pairs)
+        : context_(context),
+          loads_(context.solution, id.part),
+          body_(loads_.bodies()[at_index(id.of)]),
+          unit_(context.solution.mechanism.units.force),
+          blank_(begun(context, id)),
+          room_(room),
+          subject_(context.solution),
+          extent_(extent_of_body(subject_, body_)),
+          longest_(longest_force(body_) / unit_.si.to_double()),
+          forces_{unit_.si.to_double(), 1, true, at_pairs} {
+        subject_.box = extent_.all;
+        show_only(subject_, body_);
+    }
+
+    Figure draw(const ScaleWish& wish) {
+        const auto kept = kept_scale(context_.solution.mechanism, longest_ * forces_.si, room_);
+        has_close_names_ = wish.arrow > 0 || wish.vectors > 0;
+        forces_.per_millimetre = kept ? *kept / forces_.si : scale_of_forces(wish);
+        // Short arrows are wanted where a page has no room for more.
+        constexpr double short_arrow = 10;
+        forces_.says_values = !(wish.arrow > 0 && wish.arrow < short_arrow);
+        Figure figure = drawn(wish);
+        // Where all has no room, values are left to the table of results …
+        if (forces_.says_values && !has_room(figure)) {
+            forces_.says_values = false;
+            figure = drawn(wish);
+        }
+        // … and then forces become shorter, not the body.
+        while (has_length() && !kept && !has_room(figure) &&
+               longest_ / next_scale(forces_.per_millimetre) >= least_of_longest) {
+            forces_.per_millimetre = next_scale(forces_.per_millimetre);
+            figure = drawn(wish);
+        }
+        return figure;
+    }
+
+private:
+    /// A single block has no length; any scale would do.
+    bool has_length() const { return across(extent_.own) > 0; }
+    bool has_room(const Figure& figure) const {
+        return figure.scale < any_scale && figure.box.width() <= room_.x && figure.box.height() <= room_.y;
+    }
+    double scale_of_forces(const ScaleWish& wish) const {
+        if (!(longest_ > 0)) return 1;
+        if (!(wish.arrow > 0) && wish.vectors > 0) return wish.vectors;
+        const double most = wish.vectors > 0 ? wish.vectors : any_scale;
+        if (wish.arrow > 0) return std::min(scale_that_shows(longest_, wish.arrow), most);
+        const double reach = std::clamp(0.42 * std::min(room_.x, room_.y), 15.0, 38.0);
+        return choose_scale(longest_, 0, reach, reach, std::nullopt);
+    }
+    double first_scale(const ScaleWish& wish) const {
+        constexpr double of_no_length = 120, below = 12;  // mm
+        if (!has_length()) {
+            const double size = subject_.size() > 0 ? subject_.size() : 1;
+            return choose_scale(size, 0, of_no_length, of_no_length, std::nullopt);
+        }
+        if (wish.finest > 0) return wish.finest;
+        const double around = std::min(30.0, longest_ / forces_.per_millimetre);
+        return std::min(scale_within(extent_.all, {room_.x - around, room_.y - around - below}),
+                        coarsest_scale(extent_));
+    }
+    Figure drawn(const ScaleWish& wish) const {
+        const bool is_free = has_length() && !wish.exactly;
+        const double size = across(extent_.own), first = first_scale(wish);
+        // The last trial is that at the coarsest scale.
+        const double coarsest = is_free ? std::max(coarsest_scale(extent_), first) : 0;
+        return fit({.room = room_,
+                    .first = first,
+                    .strict = wish.strict,
+                    .exactly = wish.exactly,
+                    .extent = is_free ? size : 0,
+                    .least_shown = is_free ? (1 - 1e-9) * size / coarsest : 0},
+                   [&](const Trial& trial) { return at_scale(trial); });
+    }
+    Figure at_scale(const Trial& trial) const {
+        Sketch sketch(subject_, context_, trial.scale, blank_.id);
+        const bool thin = FreeBodyDrawing(sketch, loads_, body_, forces_).draw();
+        Figure figure = sketch.finish(blank_, unit_.symbol);
+        figure.scale = forces_.per_millimetre;
+        if (has_length()) figure.further_scale = ratio_words(figure.places, context_.language);
+        figure.caption = caption_of(context_, body_, name(), loads_.load());
+        if (thin && forces_.says_values) say_thin(figure, context_, room_.x);
+        // Names stand close to the strokes, where the figure is not drawn for a room.
+        constexpr Spot about_strokes{14, 16};
+        Spot room = room_;
+        if (has_close_names_) {
+            const Box& strokes = figure.box;
+            room.x = std::min(room.x, strokes.width() + about_strokes.x);
+            room.y = std::min(room.y, strokes.height() + about_strokes.y);
+        }
+        sketch.close(figure, room, trial.last, forces_.per_millimetre * forces_.si, unit_, trial.last || trial.strict);
+        return figure;
+    }
+    const std::string& name() const {
+        const Mechanism& mechanism = context_.solution.mechanism;
+        return body_.body != none ? mechanism.body(body_.body).name : mechanism.point(body_.pin).name;
+    }
+
+    const DrawingContext& context_;
+    LoadCase loads_;
+    const FreeBody& body_;
+    const Unit& unit_;
+    Figure blank_;
+    Spot room_;
+    Subject subject_;
+    FreeExtent extent_;
+    double longest_;  // of the forces, in their unit
+    ForceScale forces_;
+    bool has_close_names_ = false;
+};
+
 }  // namespace
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
-                        int part) {
-    const Solution& solution = context.solution;
-    const LoadCase loads(solution, part);
-    const std::string& load = loads.load();
-    const Mechanism& mechanism = solution.mechanism;
-    const FreeBody& body = loads.bodies()[index];
-    const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
-    const Figure blank = begun(context, {FigureKind::free_body, static_cast<int>(index), part});
-    Subject subject(solution);
-    const FreeExtent extent = extent_of_body(subject, body);
-    const Box& box = extent.all;
-    subject.box = box;
-    show_only(subject, body);
-
-    const double longest = longest_force(body);
-    const Unit& unit = mechanism.units.force;
-    const double si = unit.si.to_double();
-    const auto kept = kept_scale(mechanism, longest, {room_x, room_y});
-    const double reach = std::clamp(0.42 * std::min(room_x, room_y), 15.0, 38.0);
-    constexpr double roomy = 80;
-    ForceScale forces{si,
-                      kept          ? *kept / si
-                      : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
-                                    : 1,
-                      room_x >= roomy, at_pairs};
-    // A single block has no length; any scale would do.
-    const bool has_length = across(extent.own) > 0;
-    const double coarsest = has_length ? coarsest_scale(extent) : 0;
-    const auto drawn = [&] {
-        const double around = std::min(30.0, longest / si / forces.per_millimetre);
-        const double start = has_length
-                                 ? std::min(scale_within(box, {room_x - around, room_y - around - 12}), coarsest)
-                                 : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-        // The last trial is that at the coarsest scale.
-        return fit({.room = Spot{room_x, room_y},
-                    .first = start,
-                    .extent = has_length ? across(extent.own) : 0,
-                    .least_shown = has_length ? (1 - 1e-9) * across(extent.own) / coarsest : 0},
-                   [&](const Trial& trial) {
-                       Sketch sketch(subject, context, trial.scale, blank.id);
-                       const bool thin = FreeBodyDrawing(sketch, loads, body, forces).draw();
-                       Figure figure = sketch.finish(blank, unit.symbol);
-                       figure.scale = forces.per_millimetre;
-                       if (has_length) figure.further_scale = ratio_words(figure.places, context.language);
-                       figure.caption = caption_of(context, body, name, load);
-                       if (thin && forces.says_values) say_thin(figure, context, room_x);
-                       sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit, trial.last);
-                       return figure;
-                   });
-    };
-    Figure figure = drawn();
-    // Where the body has no room beside its forces, these become shorter, not the body.
-    while (has_length && !kept && (figure.box.width() > room_x || figure.box.height() > room_y) &&
-           longest / si / next_scale(forces.per_millimetre) >= least_of_longest) {
-        forces.per_millimetre = next_scale(forces.per_millimetre);
-        figure = drawn();
-    }
-    return figure;
+                        int part, const ScaleWish& wish) {
+    return FreeBodyFigure(context, {FigureKind::free_body, static_cast<int>(index), part}, {room_x, room_y}, at_pairs)
+        .draw(wish);
 }
 
 bool has_meets(const LoadCase& loads, bool of_several) {
@@ -1110,20 +1164,19 @@ std::vector<int> free_bodies(const Shown& shown, const LoadCase& loads) {
     std::stable_sort(order.begin(), order.end(), [&](int one, int other) { return rank(one) < rank(other); });
     return order;
 }
-/// A minimum for letters; the true size is known after drawing.
 void measure_free_body(const Shown& shown, FigureId id, SizeWanted& size) {
     const LoadCase loads(shown.solution(), id.part);
-    const Box box = extent_of_free_body(loads, at_index(id.of));
-    size.extent_x = std::max(box.width(), 0.3 * box.height());
-    size.extent_y = std::max(box.height(), 0.3 * box.width());
+    const FreeBody& body = loads.bodies()[at_index(id.of)];
+    const FreeExtent extent = extent_of_body(Subject(shown.solution()), body);
+    size.take(extent.all);
+    size.subject = std::max(extent.own.width(), extent.own.height());
     size.asked.reset();  // that of its forces, not of its size
     // A longer link with two forces on one line shows no more: the space is better used for polygons.
     constexpr double enough_for_two_forces = 50;
-    if (size.extent() > 0 && !has_force_polygon(loads, loads.bodies()[at_index(id.of)]))
-        size.enough = enough_for_two_forces;
+    if (size.extent() > 0 && !has_force_polygon(loads, body)) size.enough = enough_for_two_forces;
 }
-Figure draw_free_body(const Shown& shown, FigureId id, Spot room, const ScaleWish& /*of forces*/) {
-    return free_body_figure(shown.context, at_index(id.of), room.x, room.y, !shown.is_brief, id.part);
+Figure draw_free_body(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
+    return free_body_figure(shown.context, at_index(id.of), room.x, room.y, !shown.is_brief, id.part, wish);
 }
 
 }  // namespace

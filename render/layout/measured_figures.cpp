@@ -20,6 +20,15 @@ constexpr double not_small = 24;            // mm; lengths can be read to half a
 constexpr double readable_of_forces = 25;   // mm; a smaller force polygon is drawn at a finer scale than the others …
 constexpr double own_scale_of_forces = 60;  // … at which it is not larger than this
 
+/// How long the longest vector is at least, mm, where it acts on something at this scale.
+double arrow_at(const Wanted& wanted, double scale) {
+    constexpr double of_body = 0.4, least = 0.4;
+    return std::clamp(of_body * wanted.extent_of_subject() / scale, least * wanted.arrow, wanted.arrow);
+}
+
+/// A body shows no more forces when it is larger than this, mm.
+double most_of(const Wanted& wanted) { return wanted.arrow > 0 ? 110 : std::numeric_limits<double>::infinity(); }
+
 /// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures. Above
 /// 80 mm lengths can be read to a hundredth or better, and a larger figure gains little.
 double use_of_figure(double size) {
@@ -94,7 +103,7 @@ bool MeasuredFigures::may_grow(std::size_t figure) const {
 
 bool MeasuredFigures::is_small(std::size_t figure, const FigureSize& size) const {
     const Wanted& wanted = wanted_.list[figure];
-    return may_grow(figure) && !wanted.fills && row_of(wanted.id.kind).traits.measured != QuantityKind::length &&
+    return may_grow(figure) && !(wanted.arrow > 0) && row_of(wanted.id.kind).traits.measured != QuantityKind::length &&
            wanted.extent_of_subject() / size.scale < hardly_measured;
 }
 
@@ -109,21 +118,21 @@ std::vector<FigureSize> MeasuredFigures::sizes_between(std::size_t figure, doubl
 std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureSize& now, const Growth& growth) {
     const Wanted& wanted = wanted_.list[figure];
     std::vector<FigureSize> sizes;
-    if (!may_grow(figure) || !(now.x > 0) ||
-        wanted.extent_of_subject() / now.scale >= (wanted.to_force_scale ? readable_of_forces : growth.enough))
-        return sizes;
+    const double enough = wanted.to_force_scale ? readable_of_forces : std::min(growth.enough, most_of(wanted));
+    if (!may_grow(figure) || !(now.x > 0) || wanted.extent_of_subject() / now.scale >= enough) return sizes;
     const Spot most{std::min(growth.room.x, page().x), std::min(growth.room.y - caption_line, page().y)};
     for (const double scale : finer_scales(wanted, now.scale)) {
         // Its strokes grow, its names do not.
         const double more = 1 / scale - 1 / now.scale;
         const Spot own{now.x + more * wanted.extent_x, now.y + more * wanted.extent_y};
-        if (own.x > growth.room.x || own.y > growth.room.y || own.x * own.y > now.x * now.y + growth.left) continue;
-        const Measure measure =
-            wanted.fills ? filling_at(wanted, scale) : Measure{scale, most, {.finest = scale, .exactly = true}};
+        if (wanted.extent_of_subject() / scale > most_of(wanted) || own.x > growth.room.x || own.y > growth.room.y ||
+            own.x * own.y > now.x * now.y + growth.left)
+            continue;
+        const Measure measure{scale, most, {.finest = scale, .exactly = true, .arrow = wanted.arrow}};
         const std::size_t drawing = drawn(figure, measure);
         const Figure& made = *drawings_[figure][drawing].figure;
         if (made.scale == any_scale || made.box.width() > most.x || made.box.height() > most.y) continue;
-        add_sizes(sizes, figure, drawing, score_of(wanted, measure, &made, page().x), scale);
+        add_sizes(sizes, figure, drawing, score_of(wanted, measure, page().x), scale);
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
@@ -132,20 +141,18 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
 
 /// The scales to which a figure may grow, the finest first.
 std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double scale) const {
-    if (wanted.fills) return {scale / larger_body};
     const double finest = finer_scale(scale);
+    if (wanted.arrow > 0) return {finer_scale(finest), finest, scale};
     if (row_of(wanted.id.kind).traits.measured == QuantityKind::length) return {finest};
     return scales_between(finest, scale);
 }
 
-/// A figure that fills its room has shrunk where its names needed the room.
-double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing,
-                                 double enough) const {
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, double enough) const {
     constexpr double as_asked = 6;
-    const bool has_shrunk = drawing != nullptr && wanted.fills && drawing->places > measure.scale;
-    const double size =
-        std::clamp(wanted.extent_of_subject() / (has_shrunk ? drawing->places : measure.scale), 1.0, enough);
-    return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0);
+    constexpr double price_of_short_arrows = 0.5;  // for arrows of no length
+    const double size = std::clamp(wanted.extent_of_subject() / measure.scale, 1.0, enough);
+    return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0) -
+           (wanted.arrow > 0 ? price_of_short_arrows * (1 - measure.wish.arrow / wanted.arrow) : 0);
 }
 
 /// Names spread where they have space. If they make the figure wider than a column, it is also drawn with its names
@@ -154,7 +161,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const Wanted& wanted = wanted_.list[figure];
     const std::size_t free = entered(figure, measure);
     const Figure* drawing = drawings_[figure][free].figure ? &*drawings_[figure][free].figure : nullptr;
-    const double score = score_of(wanted, measure, drawing, range == Range::up_to_page ? page().x : wanted.enough);
+    const double score = score_of(wanted, measure, range == Range::up_to_page ? page().x : wanted.enough);
     if (drawing == nullptr) {
         const Spot names = about_strokes(figure);
         sizes.push_back({.x = std::min(wanted.extent_x / measure.scale + names.x, page().x),
@@ -167,8 +174,10 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
         return;
     }
     if (drawing->scale == any_scale) return;
-    // What fills its room has the scale of its vectors; that of its strokes is not its own.
-    const auto scale_of = [&](const Figure& drawn) { return wanted.fills ? measure.scale : drawn.scale; };
+    // A drawing of places has the scale of its vectors; that of its strokes is another.
+    const auto scale_of = [&](const Figure& drawn) {
+        return wanted.fills ? measure.scale : wanted.arrow > 0 ? drawn.places : drawn.scale;
+    };
     add_sizes(sizes, figure, free, score, scale_of(*drawing));
     // Enlarged details want room, and names that are in a key already find no place in less.
     if (!(measure.wish.finest > 0) || !drawing->details.empty() || drawing->has_key) return;
@@ -178,8 +187,10 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     double width = drawing->box.width();
     const double strokes = wanted.extent_x / measure.scale;
     while (const auto column = narrower(width, std::max(strokes + least_round, least_share * width))) {
-        const std::size_t narrow =
-            entered(figure, {measure.scale, {*column, page().y}, {measure.wish.finest, {}, true, true}});
+        ScaleWish close = measure.wish;
+        close.asked.reset();
+        close.strict = close.exactly = true;
+        const std::size_t narrow = entered(figure, {measure.scale, {*column, page().y}, close});
         if (!drawings_[figure][narrow].figure) {
             sizes.push_back({.x = *column,
                              .y = std::min(drawing->box.height(), page().y) + caption_line,
@@ -204,7 +215,7 @@ Spot MeasuredFigures::about_strokes(std::size_t figure) const {
     std::optional<Spot> least;
     for (const Drawing& drawing : drawings_[figure]) {
         if (!drawing.figure || drawing.wish.strict || drawing.figure->scale == any_scale) continue;
-        const double scale = wanted.fills ? drawing.figure->places : drawing.figure->scale;
+        const double scale = wanted.arrow > 0 ? drawing.figure->places : drawing.figure->scale;
         const Spot names{std::max(drawing.figure->box.width() - wanted.extent_x / scale, 0.0),
                          std::max(drawing.figure->box.height() - wanted.extent_y / scale, 0.0)};
         least = least ? Spot{std::min(least->x, names.x), std::min(least->y, names.y)} : names;
@@ -260,10 +271,10 @@ std::vector<double> MeasuredFigures::force_scales_between(double scale, double e
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
                                                                 Range range) const {
     if (wanted.empty) return {{1, {60, 30}, {}}};
-    if (wanted.fills) return as_kept(wanted, filling(wanted, range));
-    if (wanted.extent() < nothing) return {{1, page(), {}}};
+    if (wanted.fills) return {filling(wanted)};
+    if (wanted.extent() < nothing) return with_arrows(wanted, {{1, page(), {}}});
     if (wanted.to_force_scale && force_scale) return at_force_scale(wanted, *force_scale);
-    return as_kept(wanted, at_scales(wanted, range));
+    return with_arrows(wanted, as_kept(wanted, at_scales(wanted, range)));
 }
 
 /// Only with the scale that is kept. What was left out to save room stays so.
@@ -275,33 +286,41 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wan
         std::erase_if(all, [&](const Measure& each) { return each.scale > scale->second * (1 + rounding); });
     else
         all.clear();
-    if (all.empty())
-        all.push_back(wanted.fills ? filling_at(wanted, scale->second)
-                                   : Measure{scale->second, page(), {.finest = scale->second}});
+    if (all.empty()) all.push_back({scale->second, page(), {.finest = scale->second}});
     return all;
 }
 
-/// Rooms of several sizes, in the shape of the figure.
-std::vector<MeasuredFigures::Measure> MeasuredFigures::filling(const Wanted& wanted, Range range) const {
-    constexpr double parts[] = {larger_body, 1, 0.7, 0.5};
-    std::vector<Measure> all;
-    for (const double part : parts) {
-        if (part > 1 && (range != Range::up_to_page || wanted.spare)) continue;
-        const double size = part * wanted.enough;
-        if (!all.empty() && size < std::max(wanted.least, hardly_readable)) break;
-        all.push_back(filling_at(wanted, wanted.extent() / size));
-        if (wanted.spare) break;
+/// A room in the shape of the figure.
+MeasuredFigures::Measure MeasuredFigures::filling(const Wanted& wanted) const {
+    const double scale = wanted.extent() / wanted.enough;
+    return {scale,
+            {std::min(wanted.extent_x / scale + wanted.rim_x, page().x),
+             std::min(wanted.extent_y / scale + wanted.rim_y, page().y)},
+            {}};
+}
+
+/// Vectors with a scale of their own become shorter with what they act on. What has no length of its own is drawn for
+/// rooms of several sizes.
+std::vector<MeasuredFigures::Measure> MeasuredFigures::with_arrows(const Wanted& wanted,
+                                                                   std::vector<Measure> all) const {
+    if (!(wanted.arrow > 0)) return all;
+    if (wanted.extent() < nothing) {
+        all.clear();
+        for (const double part : {1.0, 0.7, 0.5})
+            all.push_back({1,
+                           {part * wanted.enough + wanted.rim_x, part * wanted.enough + wanted.rim_y},
+                           {.arrow = part * wanted.arrow}});
+    } else {
+        for (Measure& each : all) each.wish.arrow = arrow_at(wanted, each.scale);
+    }
+    if (!kept_) return all;
+    const auto vectors = kept_->of_figures.find(KeptScales::vectors_of(wanted_.kept_as(wanted.id)));
+    if (vectors == kept_->of_figures.end()) return all;
+    for (Measure& each : all) {
+        each.wish.vectors = vectors->second;
+        if (kept_->hold == KeptScales::Hold::exactly) each.wish.arrow = 0;
     }
     return all;
-}
-
-MeasuredFigures::Measure MeasuredFigures::filling_at(const Wanted& wanted, double scale) const {
-    const bool is_point = wanted.extent() < nothing;
-    const double size = wanted.extent() / scale;
-    return {scale,
-            {std::min((is_point ? size : wanted.extent_x / scale) + wanted.rim_x, page().x),
-             std::min((is_point ? size : wanted.extent_y / scale) + wanted.rim_y, page().y)},
-            {}};
 }
 
 /// A row of polygons may also stand in several rows. At the coarsest common scale a polygon whose names want more room
@@ -327,8 +346,11 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Want
 std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& wanted, Range range) const {
     std::vector<Measure> all;
     if (wanted.asked) all.push_back({*wanted.asked, page(), {0, wanted.asked}});
-    const double largest = range == Range::up_to_page ? page().x : std::min(largest_of_scaled, wanted.enough);
-    const double smallest = range == Range::crowded || range == Range::small ? hardly_readable : not_small;
+    const double largest =
+        range == Range::up_to_page ? std::min(page().x, most_of(wanted)) : std::min(largest_of_scaled, wanted.enough);
+    // Little is measured on a body with its forces: it may be smaller than what is read.
+    const bool may_be_small = range == Range::crowded || range == Range::small || wanted.arrow > 0;
+    const double smallest = may_be_small ? hardly_readable : not_small;
     const double least = std::max(range == Range::crowded ? 0 : wanted.least, smallest);
     double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
                                 std::min(page().y, largest), std::nullopt);
@@ -348,7 +370,8 @@ std::size_t MeasuredFigures::entered(std::size_t figure, const Measure& measure)
     for (std::size_t i = 0; i < known.size(); ++i)
         if (known[i].room.x == measure.room.x && known[i].room.y == measure.room.y &&
             known[i].wish.finest == measure.wish.finest && known[i].wish.asked == measure.wish.asked &&
-            known[i].wish.strict == measure.wish.strict &&
+            known[i].wish.strict == measure.wish.strict && known[i].wish.arrow == measure.wish.arrow &&
+            known[i].wish.vectors == measure.wish.vectors &&
             (known[i].wish.exactly == measure.wish.exactly ||
              (known[i].figure && known[i].figure->scale == measure.wish.finest)))
             return i;

@@ -25,9 +25,6 @@ constexpr double large_enough = 60;
 /// … and below this one a polygon may have a scale between those of the series.
 constexpr double hardly_measured = 40;
 
-/// Relative to the size at which a body in its room is large enough: the larger one, where there is room.
-constexpr double larger_body = 1.4;
-
 class MeasuredFigures {
 public:
     MeasuredFigures(const DrawingContext& context, const WantedFigures& wanted, const SheetFormat& format,
@@ -94,15 +91,15 @@ private:
         ScaleWish wish;
     };
     void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range);
-    double score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing, double enough) const;
+    double score_of(const Wanted& wanted, const Measure& measure, double enough) const;
     const Wanted* largest_of_forces() const;
     bool may_grow(std::size_t figure) const;
     std::vector<double> finer_scales(const Wanted& wanted, double scale) const;
     Spot about_strokes(std::size_t figure) const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;
-    std::vector<Measure> filling(const Wanted& wanted, Range range) const;
-    Measure filling_at(const Wanted& wanted, double scale) const;
+    Measure filling(const Wanted& wanted) const;
+    std::vector<Measure> with_arrows(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> as_kept(const Wanted& wanted, std::vector<Measure> all) const;
     std::vector<Measure> at_force_scale(const Wanted& wanted, double force_scale) const;
     std::vector<Measure> at_scales(const Wanted& wanted, Range range) const;

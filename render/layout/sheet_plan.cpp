@@ -122,7 +122,7 @@ void SheetPlan::enlarge_figures() {
             const Wanted& wanted = wanted_.list[band.figures[f]];
             if (!(size.x > 0) || wanted.to_force_scale || wanted.empty || wanted.asked) continue;
             // Its strokes grow, its names do not.
-            const double finer = wanted.fills ? size.scale / larger_body : finer_scale(size.scale);
+            const double finer = finer_scale(size.scale);
             const double more = 1 / finer - 1 / size.scale;
             if (size.x + more * wanted.extent_x < placed.room.width() &&
                 size.y + more * wanted.extent_y < placed.room.height())
@@ -282,10 +282,14 @@ KeptScales SheetPlan::scales() const {
     KeptScales kept;
     kept.of_forces = force_scale_;
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
-        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
-            if (layout.rooms[f].x > 0)
-                kept.of_figures[wanted_.kept_as(wanted_.list[bands_.list[placed.band].figures[f]].id)] =
-                    layout.sizes[f].scale;
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+            if (!(layout.rooms[f].x > 0)) continue;
+            const std::size_t figure = bands_.list[placed.band].figures[f];
+            const std::string name = wanted_.kept_as(wanted_.list[figure].id);
+            kept.of_figures[name] = layout.sizes[f].scale;
+            if (wanted_.list[figure].arrow > 0 && !layout.sizes[f].estimated)
+                kept.of_figures[KeptScales::vectors_of(name)] = measured_.drawing(figure, layout.sizes[f]).scale;
+        }
     });
     return kept;
 }

@@ -17,6 +17,11 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
 inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
 /// The next finer one: no two neighbours of the series differ by more than a factor of 2.
 inline double finer_scale(double scale) { return choose_scale(0.5 * scale, 0, 1, 1, std::nullopt); }
+/// The coarsest scale of the series at which `extent` units are at least `least` mm.
+inline double scale_that_shows(double extent, double least) {
+    const double scale = choose_scale(extent, 0, least, 1, std::nullopt);
+    return extent / scale < least * (1 - 1e-12) ? finer_scale(scale) : scale;
+}
 
 /// The scales of a finer series, 1-1.25-1.5-2-2.5-3-4-5-6-8 × 10ⁿ, from `finest` to below `coarsest`, the finest first.
 std::vector<double> scales_between(double finest, double coarsest);
