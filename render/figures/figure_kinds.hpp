@@ -41,6 +41,7 @@ struct SizeWanted {
     std::optional<double> asked{};      ///< the scale in the file
     bool empty = false;                 ///< all vectors are zero: a pole and names
     bool spare = false;                 ///< shown alone, or if there is room
+    bool is_straight = false;           ///< all its vectors lie along one line: it shows lengths and no angle
     bool to_force_scale = false;        ///< has the common scale of forces
     bool may_be_larger = false;         ///< … or a finer one, if it were too small to read
     bool is_row = false;                ///< several polygons side by side, which may stand in several rows

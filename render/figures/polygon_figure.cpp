@@ -547,6 +547,10 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     size.subject = scene.longest;
     size.empty = scene.empty();
     size.has_corner = !size.empty;
+    constexpr double enough_of_lengths =
+        80;  // mm; a hundredth is read off it, and it leaves the room to what has angles
+    size.is_straight = scene.is_straight();
+    if (size.is_straight) size.enough = std::min(size.enough, enough_of_lengths);
 }
 Figure draw_polygon(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
     return polygon_figure(shown.context, shown.scene(id.of), room.x, room.y, wish);

@@ -121,7 +121,7 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
     const double enough = wanted.to_force_scale ? readable_of_forces : std::min(growth.enough, most_of(wanted));
     if (!may_grow(figure) || !(now.x > 0) || wanted.extent_of_subject() / now.scale >= enough) return sizes;
     const Spot most{std::min(growth.room.x, page().x), std::min(growth.room.y - caption_line, page().y)};
-    for (const double scale : finer_scales(wanted, now.scale)) {
+    for (const double scale : finer_scales(wanted, now.scale, growth.enough > large_enough)) {
         // Its strokes grow, its names do not.
         const double more = 1 / scale - 1 / now.scale;
         const Spot own{now.x + more * wanted.extent_x, now.y + more * wanted.extent_y};
@@ -132,25 +132,32 @@ std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureS
         const std::size_t drawing = drawn(figure, measure);
         const Figure& made = *drawings_[figure][drawing].figure;
         if (made.scale == any_scale || made.box.width() > most.x || made.box.height() > most.y) continue;
-        add_sizes(sizes, figure, drawing, score_of(wanted, measure, page().x), scale);
+        add_sizes(sizes, figure, drawing, score_of(wanted, measure, &made, page().x), scale);
     }
     std::stable_sort(sizes.begin(), sizes.end(),
                      [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
     return sizes;
 }
 
-/// The scales to which a figure may grow, the finest first.
-std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double scale) const {
+/// The scales to which a figure may grow, the finest first: what is large enough to be measured keeps those of the
+/// series.
+std::vector<double> MeasuredFigures::finer_scales(const Wanted& wanted, double scale, bool is_white) const {
     const double finest = finer_scale(scale);
     if (wanted.arrow > 0) return {finer_scale(finest), finest, scale};
-    if (row_of(wanted.id.kind).traits.measured == QuantityKind::length) return {finest};
+    if (row_of(wanted.id.kind).traits.measured == QuantityKind::length ||
+        (!is_white && wanted.extent_of_subject() / scale >= hardly_measured))
+        return {finest};
     return scales_between(finest, scale);
 }
 
-double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, double enough) const {
+/// `drawing`: it may have come at a coarser scale.
+double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing,
+                                 double enough) const {
     constexpr double as_asked = 6;
     constexpr double price_of_short_arrows = 0.5;  // for arrows of no length
-    const double size = std::clamp(wanted.extent_of_subject() / measure.scale, 1.0, enough);
+    const bool has_own = drawing != nullptr && drawing->scale != any_scale && !wanted.fills;
+    const double own = !has_own ? 0 : wanted.arrow > 0 ? drawing->places : drawing->scale;
+    const double size = std::clamp(wanted.extent_of_subject() / std::max(own, measure.scale), 1.0, enough);
     return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0) -
            (wanted.arrow > 0 ? price_of_short_arrows * (1 - measure.wish.arrow / wanted.arrow) : 0);
 }
@@ -161,7 +168,7 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
     const Wanted& wanted = wanted_.list[figure];
     const std::size_t free = entered(figure, measure);
     const Figure* drawing = drawings_[figure][free].figure ? &*drawings_[figure][free].figure : nullptr;
-    const double score = score_of(wanted, measure, range == Range::up_to_page ? page().x : wanted.enough);
+    const double score = score_of(wanted, measure, drawing, range == Range::up_to_page ? page().x : wanted.enough);
     if (drawing == nullptr) {
         const Spot names = about_strokes(figure);
         sizes.push_back({.x = std::min(wanted.extent_x / measure.scale + names.x, page().x),
@@ -202,7 +209,8 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
             return;
         }
         const Figure& other = *drawings_[figure][narrow].figure;
-        if (other.scale == any_scale || other.box.width() > *column || other.has_key) return;
+        const bool is_coarser = scale_of(other) > scale_of(*drawing) * (1 + rounding);
+        if (other.scale == any_scale || is_coarser || other.box.width() > *column || other.has_key) return;
         add_sizes(sizes, figure, narrow, score - price_of_narrow, scale_of(other));
         width = other.box.width();
     }
@@ -264,8 +272,10 @@ std::vector<double> MeasuredFigures::force_scales() const {
 
 std::vector<double> MeasuredFigures::force_scales_between(double scale, double enough) const {
     const Wanted* largest = largest_of_forces();
-    if (largest == nullptr || (kept_ && kept_->of_forces) || largest->extent_of_subject() / scale >= enough) return {};
-    return scales_between(finer_scale(scale), scale);
+    if (largest == nullptr || (kept_ && kept_->of_forces)) return {};
+    const double size = largest->extent_of_subject() / scale;
+    if (size >= enough) return {};
+    return size < hardly_measured ? scales_between(finer_scale(scale), scale) : std::vector{finer_scale(scale)};
 }
 
 std::vector<MeasuredFigures::Measure> MeasuredFigures::measures(const Wanted& wanted, std::optional<double> force_scale,
@@ -346,15 +356,17 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Want
 std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& wanted, Range range) const {
     std::vector<Measure> all;
     if (wanted.asked) all.push_back({*wanted.asked, page(), {0, wanted.asked}});
-    const double largest =
-        range == Range::up_to_page ? std::min(page().x, most_of(wanted)) : std::min(largest_of_scaled, wanted.enough);
+    const double largest = range == Range::up_to_page && !wanted.is_straight
+                               ? std::min(page().x, most_of(wanted))
+                               : std::min(largest_of_scaled, wanted.enough);
     // Little is measured on a body with its forces: it may be smaller than what is read.
     const bool may_be_small = range == Range::crowded || range == Range::small || wanted.arrow > 0;
     const double smallest = may_be_small ? hardly_readable : not_small;
     const double least = std::max(range == Range::crowded ? 0 : wanted.least, smallest);
     double scale = choose_scale(wanted.extent_x, wanted.extent_y, std::min(page().x, largest),
                                 std::min(page().y, largest), std::nullopt);
-    for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least); first = false) {
+    for (bool first = true; first || (!wanted.spare && wanted.extent() / scale >= least * (1 - rounding));
+         first = false) {
         all.push_back({scale, page(), {.finest = scale, .exactly = true}});
         scale = next_scale(scale);
     }

@@ -21,9 +21,9 @@
 namespace kinegraph::render {
 
 /// mm, the longest vector or the longer side of the links: below it a figure grows where it has room …
-constexpr double large_enough = 60;
-/// … and below this one a polygon may have a scale between those of the series.
-constexpr double hardly_measured = 40;
+constexpr double large_enough = 80;
+/// … and below this one a polygon may have a scale between those of the series, which no rule has.
+constexpr double hardly_measured = 50;
 
 class MeasuredFigures {
 public:
@@ -91,10 +91,10 @@ private:
         ScaleWish wish;
     };
     void measure(std::vector<FigureSize>& sizes, std::size_t figure, const Measure& measure, Range range);
-    double score_of(const Wanted& wanted, const Measure& measure, double enough) const;
+    double score_of(const Wanted& wanted, const Measure& measure, const Figure* drawing, double enough) const;
     const Wanted* largest_of_forces() const;
     bool may_grow(std::size_t figure) const;
-    std::vector<double> finer_scales(const Wanted& wanted, double scale) const;
+    std::vector<double> finer_scales(const Wanted& wanted, double scale, bool is_white) const;
     Spot about_strokes(std::size_t figure) const;
     std::optional<double> narrower(double width, double least) const;
     std::vector<Measure> measures(const Wanted& wanted, std::optional<double> force_scale, Range range) const;

@@ -104,9 +104,13 @@ private:
 std::vector<Cell> moves_of(const MovableFigure& figure) {
     const auto cells = [](double length) { return static_cast<int>(length / cell); };
     std::vector<Cell> moves;
-    for (const double y : {0.0, -0.5 * figure.up, 0.5 * figure.down, -figure.up, figure.down})
-        for (const double x : {0.0, -0.5 * figure.left, 0.5 * figure.right, -figure.left, figure.right})
+    constexpr double parts[] = {0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1, 1};  // of the way to the end of its room
+    for (const double up : parts)
+        for (const double left : parts) {
+            const double x = left * (left < 0 ? figure.left : figure.right),
+                         y = up * (up < 0 ? figure.up : figure.down);
             if (const Cell by{cells(x), cells(y)}; by != Cell{}) moves.push_back(by);
+        }
     return moves;
 }
 

@@ -3,6 +3,7 @@
 #include "render/scene/polygon_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -334,6 +335,19 @@ private:
 PolygonScene polygon_scene(const Solution& solution, int polygon) {
     KG_ASSERT(polygon >= 0 && at_index(polygon) < solution.protocol.polygons.size(), "a polygon of the protocol");
     return Reading(solution, polygon).scene();
+}
+
+bool PolygonScene::is_straight() const {
+    constexpr double seen = 1e-3;  // of the longest vector: about a tenth of a millimetre
+    const auto way = [](const SceneVector& vector) {
+        return Place{vector.tip.x - vector.tail.x, vector.tip.y - vector.tail.y};
+    };
+    const auto main = std::max_element(vectors.begin(), vectors.end(),
+                                       [](const auto& one, const auto& other) { return one.value < other.value; });
+    return std::all_of(vectors.begin(), vectors.end(), [&](const SceneVector& vector) {
+        const Place with = way(*main), by = way(vector);
+        return std::abs(with.x * by.y - with.y * by.x) <= seen * longest * longest;
+    });
 }
 
 std::vector<int> closed_polygons(const Solution& solution) {

@@ -91,6 +91,8 @@ struct PolygonScene {
     double width() const { return most.x - least.x; }
     double height() const { return most.y - least.y; }
     double size() const { return width() > height() ? width() : height(); }
+    /// Whether all its vectors have one direction or its opposite.
+    bool is_straight() const;
     /// Whether all its vectors are zero.
     bool empty() const { return !(size() > 0); }
 };
