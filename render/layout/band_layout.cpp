@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05;
-constexpr double price_of_broken_row = 0.03;  // a table is read along its rows; ten of them are worth half a step
+constexpr double price_of_broken_row = 0.02;  // a table is read along its rows; more would cost the main figure a step
 constexpr double price_of_corner = 0.3;       // half a step of a scale: an equation is read at its step
 constexpr int most_beside = 3;                // columns of text
 constexpr int most_columns_more = 2;          // beyond those of the format, for a page of short lines

@@ -73,9 +73,9 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * slightly_more,
                    std::clamp(static_cast<int>(-std::floor(nearest::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
-/// A scale without trailing zeros: 0.005.
+/// A scale without trailing zeros, 0.005; that of a file may have more digits, 1.1632.
 std::string round_number(double value, Language language) {
-    std::string text = number(value, 3, language);
+    std::string text = number(value, 5, language);
     const char point = notation(language).decimal_mark;
     if (text.find(point) == std::string::npos || text.find(' ') != std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);
