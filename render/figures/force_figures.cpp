@@ -631,6 +631,7 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
         label.size = theme.equation;
         label.toward = arrow.to;
+        label.is_of_force = true;
         label.holds = on_force(to_scale ? Form::arrow : Form::with, held);
         if (says_value) label.holds.unit = unit_.si.to_double();
     }
@@ -820,6 +821,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
                                            middle(arrow), 1.5, statement);
     label.size = sketch.theme.equation;
     label.toward = arrow.to;
+    label.is_of_force = true;
     label.names = {name_of(applied.symbol)};
     label.holds = on_force(Form::with, held);
 }

@@ -101,11 +101,12 @@ namespace {
 void draw_coil(Sketch& sketch, const SpringLoad& spring) {
     const Spot from = sketch.spot(spring.between[0]), to = sketch.spot(spring.between[1]);
     const Spot along = unit(to - from), across = turned(along);
-    const double whole = length(to - from), straight = std::clamp(0.15 * whole, 2.5, 8.0);
-    constexpr double pitch = 2.4, amplitude = 2.0;
+    constexpr double pitch = 2.4, amplitude = 2.0, shortest = 8;
+    constexpr int least_turns = 4;  // a short spring is not taken for a bar
+    const double whole = length(to - from), straight = std::min(std::max(0.15 * whole, 2.5), 0.15 * whole + 0.5);
     std::vector<Spot> spots{from};
-    if (const double coiled = whole - 2 * straight; coiled > 2 * pitch) {
-        const int turns = static_cast<int>(coiled / pitch);
+    if (const double coiled = whole - 2 * straight; whole > shortest) {
+        const int turns = std::max(static_cast<int>(coiled / pitch), least_turns);
         const double step = coiled / turns;
         spots.push_back(from + straight * along);
         for (int i = 0; i < turns; ++i) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
 constexpr double upright_price = 8;        // for a direction mark that leaves its line
+constexpr double named_by_another = 14;    // for the name of a force nearer to another; a leader is better
 constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
@@ -350,19 +351,35 @@ double LabelPlaces::near_other_points(const Candidate& candidate) const {
     return price;
 }
 
+/// Distance of a box from the line that a request's label names, as long as the two do not meet.
+double distance_to_line(const LabelRequest& request, const InkBox& box) {
+    const Spot half = *request.toward - request.anchor;
+    double least = std::min(distance_to_box(request.anchor + half, box), distance_to_box(request.anchor - half, box));
+    const Spot x = box.half.x * box.axis, y = box.half.y * turned(box.axis);
+    for (const Spot corner : {x + y, x - y, y - x, -1.0 * x - y})
+        least = std::min(least, distance_to_line(request, box.centre + corner));
+    return least;
+}
+
 /// Price of a vector's name that might seem to belong to the vector beside it.
 double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     if (request_.along) return 0;
     double price = 0;
     const Spot centre = candidate.box.centre;
     const double near = distance_to_line(request_, centre) + 0.8;
+    const double own = distance_to_line(request_, candidate.box);
+    const double seen = request_.is_of_force ? std::max(near, own + half_.x + half_.y) : near;
+    bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
         const LabelRequest& other = setting_.requests[j];
         if (j == label_ || !other.toward || other.along || other.balloon > 0) continue;
-        if (is_beyond(other, centre, near)) continue;
+        if (is_beyond(other, centre, seen)) continue;
         const double away = distance_to_line(other, centre);
         if (away < near) price += 2.5 * std::min(2.0, near - away);
+        is_nearest = is_nearest && distance_to_line(other, candidate.box) > own;
     }
+    // It would be read as the other's name; with a leader it is not.
+    if (request_.is_of_force && !is_nearest && !candidate.leader) price += named_by_another;
     return price;
 }
 

@@ -213,11 +213,21 @@ private:
         last.height += 0.6;
     }
 
+    bool has_resultants() const {
+        const Solution& solution = context_.solution;
+        const auto has_sums = [](const auto& bodies) { return !bodies.sums.empty(); };
+        const auto any_has = [&](const auto& all) { return std::any_of(all.begin(), all.end(), has_sums); };
+        return any_has(solution.free_bodies) || any_has(solution.taken_together) ||
+               (solution.superposition &&
+                std::any_of(solution.superposition->parts.begin(), solution.superposition->parts.end(),
+                            [&](const auto& part) { return any_has(part.bodies) || any_has(part.together); }));
+    }
     void add_note(const Example& example) {
         RichText text = example.symbol;
         append(text, " " + Words(lang::sheet::action_and_reaction, name_of(example.from), name_of(example.on))
                                .in(context_.language));
         if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for(lang::sheet::internal_sides));
+        if (has_resultants()) append(text, " " + word_for(lang::sheet::long_dashes));
         Block note;
         double baseline = 4.2;
         for (ShapedLine& each : context_.fonts.wrap(text, theme_.small, width_)) {

@@ -208,6 +208,47 @@ TEST(Labels, of_vectors_stand_beside_them) {
         EXPECT_LT(distance_to_segment(labels[i].centre, strokes[i].first, strokes[i].second), 6);
 }
 
+/// Distance of a label's box from a line, by dense points of both.
+double distance(const Ink& ink, Spot from, Spot to) {
+    double least = 1e300;
+    for (const Spot& spot : samples(ink))
+        for (int i = 0; i <= 200; ++i) least = std::min(least, length(from + (i / 200.0) * (to - from) - spot));
+    return least;
+}
+
+TEST(Labels, of_forces_are_nearest_to_their_own_line_or_have_a_leader) {
+    for (const double apart : {3.0, 5.0, 8.0})
+        for (const double high : {8.0, 16.0, 30.0}) {
+            Figure figure;
+            std::vector<LabelRequest> requests;
+            for (int i = 0; i < 4; ++i) {
+                const Spot tail{apart * i, 0}, tip{apart * i, i % 2 == 0 ? high : 0.6 * high};
+                figure.marks.emplace_back(line(tail, tip, {0.5, {}, {}, false}));
+                LabelRequest request = named("F" + std::to_string(i), 0.5 * (tail + tip));
+                request.toward = tip;
+                request.clearance = 1.5;
+                request.is_of_force = true;
+                requests.push_back(request);
+            }
+            figure.labels = requests;
+            place_labels(figure, fonts());
+            const std::vector<Ink> labels = labels_of(figure, requests);
+            ASSERT_EQ(labels.size(), requests.size());
+            int misread = 0;
+            for (std::size_t i = 0; i < labels.size(); ++i)
+                for (std::size_t j = 0; j < labels.size(); ++j) {
+                    const auto away = [&](const LabelRequest& of) {
+                        return distance(labels[i], 2.0 * of.anchor - *of.toward, *of.toward);
+                    };
+                    if (i != j && away(requests[j]) < away(requests[i])) {
+                        ++misread;
+                        break;
+                    }
+                }
+            EXPECT_LE(misread, figure.leaders) << apart << " mm apart, " << high << " mm high";
+        }
+}
+
 TEST(Labels, along_a_line_are_never_upside_down) {
     for (int i = 0; i < 24; ++i) {
         const double angle = 2 * std::numbers::pi * i / 24;
