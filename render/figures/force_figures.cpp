@@ -983,7 +983,8 @@ public:
             figure = drawn(wish);
         }
         // … and then forces become shorter, not the body.
-        while (has_length() && !kept && !has_room(figure) &&
+        const bool is_fixed = kept || (wish.vectors > 0 && !(wish.arrow > 0));
+        while (has_length() && !is_fixed && !has_room(figure) &&
                longest_ / next_scale(forces_.per_millimetre) >= least_of_longest) {
             forces_.per_millimetre = next_scale(forces_.per_millimetre);
             figure = drawn(wish);
