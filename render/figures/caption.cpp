@@ -76,6 +76,10 @@ double caption_width(const DrawingContext& context, const Figure& figure, int nu
     return context.fonts.shape(text, context.theme.label).width + before_scale + shaped_scale(context, figure).width;
 }
 
+double caption_width_without_scale(const DrawingContext& context, const Figure& figure, int number) {
+    return context.fonts.width(words_of_caption(context, figure, number), context.theme.label);
+}
+
 double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
                    double width) {
     const Theme& theme = context.theme;

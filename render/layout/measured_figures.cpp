@@ -410,21 +410,28 @@ void MeasuredFigures::add_sizes(std::vector<FigureSize>& sizes, std::size_t figu
     }
 }
 
-/// With its caption in one line and, at a price, in several. At least one.
+/// With its caption in one line and, at prices, in several. At least one.
 std::vector<FigureSize> MeasuredFigures::sizes_of(const Figure& drawn) const {
-    constexpr double price_of_broken_caption = 0.8;
-    constexpr double least_of_caption = 40;  // mm
-    constexpr int number = 88;               // as wide as any that a sheet has
+    constexpr double price_of_second_line = 0.5, price_of_broken_words = 1.5;  // a line that breaks is read as two
+    constexpr double least_of_caption = 40;                                    // mm
+    constexpr int number = 88;                                                 // as wide as any that a sheet has
     const double own = std::min(drawn.box.width(), page().x), high = std::min(drawn.box.height(), page().y);
     const double whole = caption_width(context_, drawn, number);
     std::vector<FigureSize> sizes;
-    if (whole <= format_.content.width())
+    if (whole <= format_.content.width()) {
         sizes.push_back({.x = std::max(own, whole), .y = high + caption_line, .caption = caption_line});
-    const double narrow = std::max(own, std::min(least_of_caption, format_.content.width()));
-    if (!sizes.empty() && (whole <= own || narrow >= whole)) return sizes;
-    std::vector<Mark> words;
-    const double caption = set_caption(words, context_, drawn, number, {0, 0}, narrow);
-    sizes.push_back({.x = narrow, .y = high + caption, .score = -price_of_broken_caption, .caption = caption});
+        if (whole <= own) return sizes;
+    }
+    const double words = caption_width_without_scale(context_, drawn, number);
+    const auto add = [&](double width, double price) {
+        std::vector<Mark> unused;
+        const double caption = set_caption(unused, context_, drawn, number, {0, 0}, width);
+        sizes.push_back({.x = width, .y = high + caption, .score = -price, .caption = caption});
+    };
+    // With the scale on a line of its own, and with broken words.
+    if (words < whole && words <= format_.content.width()) add(std::max(own, words), price_of_second_line);
+    if (const double narrow = std::max(own, std::min(least_of_caption, format_.content.width())); narrow < words)
+        add(narrow, price_of_broken_words);
     return sizes;
 }
 

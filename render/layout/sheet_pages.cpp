@@ -225,7 +225,7 @@ double SheetPages::spare_above_text(const Standing& band, double most, double lo
 /// Each figure stands in the middle between its caption and the end of its part of `height`, but near its caption.
 void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
                              std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height) {
-    constexpr double most_below_caption = 30, most_when_spread = 40;
+    constexpr double most_below_caption = 30, most_when_spread = 60;
     double own = -gap;
     for (const DrawnFigure& drawn : figures) own = stacked ? own + gap + drawn.height() : drawn.height();
     const double shared = (height - own) / static_cast<double>(figures.size());

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double cell = 3;                // mm
 constexpr int least_side = 8;             // cells; narrower white separates, and is not seen as empty
-constexpr double noticed = 0.1;           // of the content: smaller white needs no change
-constexpr double clearly_smaller = 0.95;  // of the white before
-constexpr int rounds = 2;
+constexpr double noticed = 0.08;          // of the content: smaller white needs no change
+constexpr double clearly_smaller = 0.98;  // of the white before
+constexpr int rounds = 3;
 
 struct Cell {
     int x = 0, y = 0;
