@@ -342,10 +342,10 @@ bool PolygonScene::is_straight() const {
     const auto way = [](const SceneVector& vector) {
         return Place{vector.tip.x - vector.tail.x, vector.tip.y - vector.tail.y};
     };
-    const auto main = std::max_element(vectors.begin(), vectors.end(),
-                                       [](const auto& one, const auto& other) { return one.value < other.value; });
+    const auto chief = std::max_element(vectors.begin(), vectors.end(),
+                                        [](const auto& one, const auto& other) { return one.value < other.value; });
     return std::all_of(vectors.begin(), vectors.end(), [&](const SceneVector& vector) {
-        const Place with = way(*main), by = way(vector);
+        const Place with = way(*chief), by = way(vector);
         return std::abs(with.x * by.y - with.y * by.x) <= seen * longest * longest;
     });
 }
