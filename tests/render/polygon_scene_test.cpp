@@ -37,6 +37,12 @@ TEST(PolygonScene, HasItsVectorsInTheUnitTheyAreToldIn) {
     }
 }
 
+TEST(PolygonScene, IsStraightWhereItsVectorsHaveOneDirectionOrItsOpposite) {
+    EXPECT_TRUE(polygon_scene(example("parallel_crank"), 0).is_straight());
+    EXPECT_TRUE(polygon_scene(example("planetary_train"), 0).is_straight());
+    for (const int polygon : {0, 1}) EXPECT_FALSE(polygon_scene(example("four_bar"), polygon).is_straight());
+}
+
 TEST(PolygonScene, SaysByWhichStatementAVelocityIsDrawn) {
     const Solution& solution = example("four_bar");
     const PolygonScene scene = polygon_scene(solution, 0);
