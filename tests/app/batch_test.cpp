@@ -253,7 +253,7 @@ TEST_F(Batch, ResumeDoesWhatIsMissingAndNothingElse) {
     fs::remove(folder_ / "out/1.svg");                               // lost
     std::ofstream(folder_ / "out/2.json", std::ios::app) << "more";  // spoilt
     std::string changed = lines;
-    changed.replace(changed.find("33 mm"), 5, "34 mm");  // asked otherwise
+    changed.replace(changed.find("33 mm"), 5, "35 mm");  // asked otherwise, of as many pages
     const Outcome again = batch(changed, "--resume --jobs 2");
     EXPECT_TRUE(again.out == whole.out) << again.out;
     EXPECT_TRUE(lines_are(again.err, "kinegraph: lines done before: 3 of 6"));
