@@ -369,6 +369,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     const double near = distance_to_line(request_, centre) + 0.8;
     const double own = distance_to_line(request_, candidate.box);
     const double seen = request_.is_of_force ? std::max(near, own + half_.x + half_.y) : near;
+    constexpr double on_one_line = 0.1;  // vectors that lie on each other are told apart by their heads
     bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
         const LabelRequest& other = setting_.requests[j];
@@ -376,7 +377,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
         if (is_beyond(other, centre, seen)) continue;
         const double away = distance_to_line(other, centre);
         if (away < near) price += 2.5 * std::min(2.0, near - away);
-        is_nearest = is_nearest && distance_to_line(other, candidate.box) > own;
+        is_nearest = is_nearest && distance_to_line(other, candidate.box) > own - on_one_line;
     }
     // It would be read as the other's name; with a leader it is not.
     if (request_.is_of_force && !is_nearest && !candidate.leader) price += named_by_another;
