@@ -517,7 +517,7 @@ void measure_mechanism(const Shown& shown, FigureId id, SizeWanted& size) {
     const double of_links = std::max(links.width(), links.height());
     size.subject = of_links;
     size.least = of_links > 0 ? least_of_links * size.extent() / of_links : least_of_links;
-    size.weight = solution.instantaneous_motion ? 2 : 1.5;
+    size.weight = solution.instantaneous_motion ? 2 : 1.35;
 }
 
 namespace {
