@@ -97,10 +97,11 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
         set_text(marks, std::move(each), {at.x, baseline}, theme.text, "text");
         baseline += 4.7;
     }
-    if (scale.width > 0) {
-        set_text(marks, std::move(scale), {at.x, baseline}, theme.secondary, "text");
-        baseline += 4.4;
-    }
+    if (scale.width > 0)
+        for (ShapedLine& each : context.fonts.wrap(scale_words(context, figure), theme.body_text, width)) {
+            set_text(marks, std::move(each), {at.x, baseline}, theme.secondary, "text");
+            baseline += 4.4;
+        }
     return baseline - 3.8 - at.y + 2;
 }
 

@@ -19,7 +19,7 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
 
 /// The width of a caption in one line, mm.
 double caption_width(const DrawingContext& context, const Figure& figure, int number);
-/// The same with the scale on a line below.
+/// The same with the scale on lines below.
 double caption_width_without_scale(const DrawingContext& context, const Figure& figure, int number);
 
 }  // namespace kinegraph::render
