@@ -936,13 +936,10 @@ double scale_within(const Box& box, Spot room) {
                         std::max(room.y, 10.0), std::nullopt);
 }
 
-/// Says in the caption that thin arrows are not to scale, where that takes no further line: they have their values.
-void say_thin(Figure& figure, const DrawingContext& context, double room) {
-    constexpr int two_digits = 10;
-    const std::string before = figure.further_scale;
-    figure.further_scale +=
-        (before.empty() ? "" : ";  ") + word(lang::sheet::thin_arrows_not_to_scale, context.language);
-    if (caption_width(context, figure, two_digits) > room) figure.further_scale = before;
+/// Says in the caption that thin arrows are not to scale.
+void say_thin(Figure& figure, const DrawingContext& context) {
+    if (!figure.further_scale.empty()) figure.further_scale += ";  ";
+    figure.further_scale += word(lang::sheet::thin_arrows_not_to_scale, context.language);
 }
 
 /// The scale in the file, where the longest arrow has room at it.
@@ -1037,7 +1034,7 @@ private:
         figure.scale = forces_.per_millimetre;
         if (has_length()) figure.further_scale = ratio_words(figure.places, context_.language);
         figure.caption = caption_of(context_, body_, name(), loads_.load());
-        if (thin && forces_.says_values) say_thin(figure, context_, room_.x);
+        if (thin) say_thin(figure, context_);
         // Names stand close to the strokes, where the figure is not drawn for a room.
         constexpr Spot about_strokes{14, 16};
         Spot room = room_;

@@ -384,9 +384,10 @@ TEST(Names, OfTheFileTakeNoTableAway) {
                 ASSERT_TRUE(plain.contains(words) && reserved.contains(words)) << words;
             EXPECT_EQ(plain.at("power, W"), 1) << "the lever has its table once";
             EXPECT_EQ(reserved.at("power, W"), 1);
-            // The third row of a table of forces or of motion; no name of the file is such.
+            // The third row of a table of forces or of motion, which a long one has for each of its pieces; no name of
+            // the file is such.
             EXPECT_GE(plain.at("line"), 2);
-            EXPECT_EQ(reserved.at("line"), plain.at("line"));
+            EXPECT_GE(reserved.at("line"), 2);
             EXPECT_EQ(reserved.at("numeric"), plain.at("numeric"));
         }
 }
