@@ -631,7 +631,7 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
         label.size = theme.equation;
         label.toward = arrow.to;
-        label.is_of_force = true;
+        label.is_of_vector = true;
         label.holds = on_force(to_scale ? Form::arrow : Form::with, held);
         if (says_value) label.holds.unit = unit_.si.to_double();
     }
@@ -821,7 +821,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
                                            middle(arrow), 1.5, statement);
     label.size = sketch.theme.equation;
     label.toward = arrow.to;
-    label.is_of_force = true;
+    label.is_of_vector = true;
     label.names = {name_of(applied.symbol)};
     label.holds = on_force(Form::with, held);
 }
@@ -998,8 +998,10 @@ private:
     double scale_of_forces(const ScaleWish& wish) const {
         if (!(longest_ > 0)) return 1;
         if (!(wish.arrow > 0) && wish.vectors > 0) return wish.vectors;
-        const double most = wish.vectors > 0 ? wish.vectors : any_scale;
-        if (wish.arrow > 0) return std::min(scale_that_shows(longest_, wish.arrow), most);
+        if (wish.arrow > 0) {
+            const double shown = scale_that_shows(longest_, wish.arrow);
+            return wish.vectors > 0 ? std::min(shown, wish.vectors) : shown;
+        }
         const double reach = std::clamp(0.42 * std::min(room_.x, room_.y), 15.0, 38.0);
         return choose_scale(longest_, 0, reach, reach, std::nullopt);
     }

@@ -231,8 +231,8 @@ struct MechanismFigure {
             double most_pulled;  // greatest fraction of them with a leader, which are hard to find
         };
         const std::vector<Choice> choices{{{omega, alpha}, 0.5}, {{omega}, 0.7}};
-        constexpr std::size_t most = 8;       // with more, any figure is crowded
-        constexpr double room_of_each = 700;  // mm²; in less space no label found a position
+        constexpr std::size_t most = 6;       // with more, any figure is crowded
+        constexpr double room_of_each = 900;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
         for (const auto& [found, most_pulled] : choices) {
             const Arrows arrows{found, true};

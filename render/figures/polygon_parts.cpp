@@ -273,7 +273,7 @@ private:
         LabelRequest& label = ask_label(vector.text, vector.internal || vector.is_thin ? theme_.label : theme_.equation,
                                         vector.colour.letter, 0.5 * (tail + tip), 1.5, vector.statement);
         label.toward = tip;
-        label.is_of_force = figure_.traits.measured == QuantityKind::force;
+        label.is_of_vector = true;
         label.names = {vector.name};
     }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double cell = 3;                // mm
 constexpr int least_side = 8;             // cells; narrower white separates, and is not seen as empty
-constexpr double noticed = 0.08;          // of the content: smaller white needs no change
+constexpr double noticed = 0.1;           // of the content: smaller white needs no change
 constexpr double clearly_smaller = 0.98;  // of the white before
 constexpr int rounds = 3;
 
@@ -104,7 +104,7 @@ private:
 std::vector<Cell> moves_of(const MovableFigure& figure) {
     const auto cells = [](double length) { return static_cast<int>(length / cell); };
     std::vector<Cell> moves;
-    constexpr double parts[] = {0, -0.25, 0.25, -0.5, 0.5, -0.75, 0.75, -1, 1};  // of the way to the end of its room
+    constexpr double parts[] = {0, -0.5, 0.5, -1, 1};  // of the way to the end of its room
     for (const double up : parts)
         for (const double left : parts) {
             const double x = left * (left < 0 ? figure.left : figure.right),

@@ -29,10 +29,10 @@ struct LabelRequest {
     Spot anchor{};  ///< the point, or the middle of the vector or line
     std::optional<Spot>
         toward{};  ///< for vectors and lines: they run from anchor toward this; the label stands beside them
-    bool is_of_force = false;  ///< nearer to its line than to any other that has a name, unless a leader leads to it
-    double clearance = 2.2;    ///< distance from the anchor to the nearest ink, mm
-    bool along = false;        ///< turned to run along the line, as direction marks are
-    double balloon = 0;        ///< radius of a circle round the text (body numbers), mm; 0: none
+    bool is_of_vector = false;  ///< nearer to its line than to any other that has a name, unless a leader leads to it
+    double clearance = 2.2;     ///< distance from the anchor to the nearest ink, mm
+    bool along = false;         ///< turned to run along the line, as direction marks are
+    double balloon = 0;         ///< radius of a circle round the text (body numbers), mm; 0: none
     StatementIndex statement =
         none;  ///< the statement of the solution that draws the named object; none: present from the beginning
     std::vector<std::string> names{};       ///< see TextMark::names

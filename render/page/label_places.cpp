@@ -16,7 +16,7 @@ namespace {
 
 constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
 constexpr double upright_price = 8;        // for a direction mark that leaves its line
-constexpr double named_by_another = 14;    // for the name of a force nearer to another; a leader is better
+constexpr double named_by_another = 11;    // for the name of a force nearer to another; a leader is better
 constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
@@ -368,7 +368,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     const Spot centre = candidate.box.centre;
     const double near = distance_to_line(request_, centre) + 0.8;
     const double own = distance_to_line(request_, candidate.box);
-    const double seen = request_.is_of_force ? std::max(near, own + half_.x + half_.y) : near;
+    const double seen = request_.is_of_vector ? std::max(near, own + half_.x + half_.y) : near;
     constexpr double on_one_line = 0.1;  // vectors that lie on each other are told apart by their heads
     bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
@@ -380,7 +380,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
         is_nearest = is_nearest && distance_to_line(other, candidate.box) > own - on_one_line;
     }
     // It would be read as the other's name; with a leader it is not.
-    if (request_.is_of_force && !is_nearest && !candidate.leader) price += named_by_another;
+    if (request_.is_of_vector && !is_nearest && !candidate.leader) price += named_by_another;
     return price;
 }
 

@@ -227,7 +227,7 @@ TEST(Labels, of_forces_are_nearest_to_their_own_line_or_have_a_leader) {
                 LabelRequest request = named("F" + std::to_string(i), 0.5 * (tail + tip));
                 request.toward = tip;
                 request.clearance = 1.5;
-                request.is_of_force = true;
+                request.is_of_vector = true;
                 requests.push_back(request);
             }
             figure.labels = requests;
