@@ -226,15 +226,11 @@ struct MechanismFigure {
     /// lost.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
-        struct Choice {
-            std::vector<Symbol::Letter> found;
-            double most_pulled;  // greatest fraction of them with a leader, which are hard to find
-        };
-        const std::vector<Choice> choices{{{omega, alpha}, 0.5}, {{omega}, 0.7}};
+        const std::vector<std::vector<Symbol::Letter>> choices{{omega, alpha}, {omega}};
         constexpr std::size_t most = 6;       // with more, any figure is crowded
         constexpr double room_of_each = 900;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
-        for (const auto& [found, most_pulled] : choices) {
+        for (const std::vector<Symbol::Letter>& found : choices) {
             const Arrows arrows{found, true};
             const std::size_t count = count_of(arrows);
             if (count == accelerations_given() || count > most ||
@@ -242,10 +238,8 @@ struct MechanismFigure {
                 continue;
             Figure figure = drawn(trial, arrows);
             if (!has_room(figure) || figure.has_key) continue;
-            const double pulled = static_cast<double>(figure.leaders) - static_cast<double>(plain.leaders);
-            const auto added = static_cast<double>(count - accelerations_given());
-            const bool is_clear = pulled <= std::max(1.0, most_pulled * added);
-            if (is_clear && dimensions_in(figure) >= dimensions_in(plain)) return figure;
+            // A name with a leader is hard to find, and may stand beside another arc.
+            if (figure.leaders <= plain.leaders && dimensions_in(figure) >= dimensions_in(plain)) return figure;
         }
         return Figure::empty_at(any_scale);
     }

@@ -126,7 +126,9 @@ PlacedArc free_arc(const Layout& layout, const Turning& turning, const Obstacles
         const double wanted = 0.4 * arm.reach;
         for (const double radius : {std::clamp(wanted, 8.0, 14.0), std::clamp(0.25 * arm.reach, 6.0, 8.0), 11.0}) {
             const double by = turn * std::min(1.05, 11.0 / radius), gap = 2.6 / radius;
-            for (const bool ahead : {true, false})
+            for (const bool ahead : {true, false}) {
+                // What drives has its arc ahead of its body, where this turns to.
+                if (!ahead && turning.statement == none) break;
                 for (int step = 0; step < (of_arm > 0 ? 3 : 9); ++step) {
                     const double away = gap + 0.6 * step;
                     const double from = angle_of(arm.along) + (ahead ? turn * away : -turn * away - by);
@@ -143,6 +145,7 @@ PlacedArc free_arc(const Layout& layout, const Turning& turning, const Obstacles
                     const auto room = room_for(layout, obstacles, turning.pivot + radius * outward, outward, name);
                     best.offer(price + room.price, {arc, room.choice});
                 }
+            }
         }
         of_arm += 0.2;
     }
