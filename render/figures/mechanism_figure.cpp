@@ -238,8 +238,8 @@ struct MechanismFigure {
                 continue;
             Figure figure = drawn(trial, arrows);
             if (!has_room(figure) || figure.has_key) continue;
-            // A name with a leader is hard to find, and may stand beside another arc.
-            if (figure.leaders <= plain.leaders && dimensions_in(figure) >= dimensions_in(plain)) return figure;
+            // A name with a leader is hard to find, and may stand beside another arc: one at most.
+            if (figure.leaders <= plain.leaders + 1 && dimensions_in(figure) >= dimensions_in(plain)) return figure;
         }
         return Figure::empty_at(any_scale);
     }

@@ -169,10 +169,7 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             });
             const std::string says_so = word(lang::sheet::thin_arrows_not_to_scale, language);
             const bool said = figure.further_scale.find(says_so) != std::string::npos;
-            Figure told = figure;
-            if (!said) told.further_scale += ";  " + says_so;
-            constexpr int two_digits = 10;
-            EXPECT_EQ(said, thin && caption_width(context, told, two_digits) <= 120) << figure.id;
+            EXPECT_EQ(said, thin) << figure.id;
             std::set<std::string> values;
             for (const Ink& ink : labels_of(figure.marks)) {
                 const bool has_value = ink.words.find(" = ") != std::string::npos;
