@@ -37,7 +37,7 @@ public:
 
 private:
     void choose_origin() {
-        constexpr int far = 1 << 10;  // sizes of the drawing; doubles have ten digits less there
+        constexpr int far = 1 << 10;  // sizes of the drawing; doubles have ten bits less there
         for (const Joint& joint : mechanism_.joints) {
             const Vector& place = pose_.at(joint.point);
             if (abs(place.x) + abs(place.y) > far * pose_.size) closure_.origin = place;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
 constexpr double upright_price = 8;        // for a direction mark that leaves its line
-constexpr double named_by_another = 14;    // for the name of a force nearer to another; a leader is better
+constexpr double named_by_another = 14;    // for the name of a vector nearer to another; a leader is better
 constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
