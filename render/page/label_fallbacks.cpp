@@ -125,7 +125,7 @@ double Refuges::look_at(std::size_t label, Spot centre, double step, WayOut way_
     candidate.box = box;
     candidate.price = least;
     candidate.ringed = request.balloon > 0;
-    candidate.add_leader(request);
+    candidate.add_leader(setting_, label);
     if (leads_over_another(label, candidate.thread) || setting_.ground.covers_text(candidate.thread)) return 0;
     candidate.price += crossings_of(candidate, found ? found->price - least : std::numeric_limits<double>::infinity());
     if (!found || candidate.price < found->price) found = candidate;

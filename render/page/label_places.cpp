@@ -16,7 +16,8 @@ namespace {
 
 constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
 constexpr double upright_price = 8;        // for a direction mark that leaves its line
-constexpr double named_by_another = 14;    // for the name of a vector nearer to another; a leader is better
+constexpr double named_by_another = 29;    // for the name of a vector nearer to another; a leader is better
+constexpr double leads_along = 8;          // for a leader in the direction of its vector
 constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
@@ -96,29 +97,22 @@ double centre_distance(const InkBox& box, Spot u, double distance) {
     return b + std::sqrt(std::max(0.0, b * b - c));
 }
 
-/// Quick test by the bounding box: whether the line that a request's label names is farther away than `distance`.
-bool is_beyond(const LabelRequest& request, Spot spot, double distance) {
-    const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
-    return std::abs(d.x) > std::abs(half.x) + distance || std::abs(d.y) > std::abs(half.y) + distance;
-}
-/// Distance from the line that a request's label names (its anchor is the middle of the line).
-double distance_to_line(const LabelRequest& request, Spot spot) {
-    const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
-    const double t = std::clamp(dot(d, half) / std::max(dot(half, half), 1e-12), -1.0, 1.0);
-    return length(d - t * half);
-}
-
 }  // namespace
 
-void Candidate::add_leader(const LabelRequest& request) {
-    const Spot at = request.anchor - box.centre;
+void Candidate::add_leader(const LabelSetting& setting, std::size_t label) {
+    const LabelRequest& request = setting.requests[label];
+    const Spot end = setting.ends.nearest(label, box), at = end - box.centre;
     const Spot foot =
         box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
-    const Spot back = unit(foot - request.anchor);
+    const Spot back = unit(foot - end);
     leader = true;
+    // A leader that runs on along its vector is taken for a line of the construction.
+    constexpr double as_one_line = 0.94;
+    if (request.is_of_vector && std::abs(dot(back, unit(*request.toward - request.anchor))) > as_one_line)
+        price += leads_along;
     // The leader of a link's number begins on the link itself.
     const bool on_it = request.toward && !request.along;
-    leader_from = request.anchor + (on_it ? 0 : std::max(0.6, request.clearance - 0.9)) * back;
+    leader_from = end + (on_it ? 0 : std::max(0.6, request.clearance - 0.9)) * back;
     leader_to = foot - 0.5 * back;
     thread = {0.5 * (leader_from + leader_to), {length(leader_to - leader_from) / 2, 0.1}, back};
 }
@@ -243,7 +237,7 @@ inline void LabelPlaces::stand_around(const Seed& seed, Candidate& candidate) co
     InkBox box{{}, half_};
     box.centre = request_.anchor + centre_distance(box, seed.along, request_.clearance + seed.extra) * seed.along;
     candidate.box = box;
-    if (seed.leader) candidate.add_leader(request_);
+    if (seed.leader) candidate.add_leader(setting_, label_);
 }
 
 /// Computes the price that depends on the place's own position.
@@ -351,16 +345,6 @@ double LabelPlaces::near_other_points(const Candidate& candidate) const {
     return price;
 }
 
-/// Distance of a box from the line that a request's label names, as long as the two do not meet.
-double distance_to_line(const LabelRequest& request, const InkBox& box) {
-    const Spot half = *request.toward - request.anchor;
-    double least = std::min(distance_to_box(request.anchor + half, box), distance_to_box(request.anchor - half, box));
-    const Spot x = box.half.x * box.axis, y = box.half.y * turned(box.axis);
-    for (const Spot corner : {x + y, x - y, y - x, -1.0 * x - y})
-        least = std::min(least, distance_to_line(request, box.centre + corner));
-    return least;
-}
-
 /// Price of a vector's name that might seem to belong to the vector beside it.
 double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     if (request_.along) return 0;
@@ -373,7 +357,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
         const LabelRequest& other = setting_.requests[j];
-        if (j == label_ || !other.toward || other.along || other.balloon > 0) continue;
+        if (j == label_ || !names_a_line(other)) continue;
         if (is_beyond(other, centre, seen)) continue;
         const double away = distance_to_line(other, centre);
         if (away < near) price += 2.5 * std::min(2.0, near - away);

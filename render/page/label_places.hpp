@@ -13,6 +13,7 @@
 #include "render/page/figure.hpp"
 #include "render/page/label_boxes.hpp"
 #include "render/page/label_ground.hpp"
+#include "render/page/label_lines.hpp"
 
 namespace kinegraph::render::lettering {
 
@@ -20,6 +21,7 @@ namespace kinegraph::render::lettering {
 struct LabelSetting {
     const std::vector<LabelRequest>& requests;
     const Ground& ground;
+    LeaderEnds ends;
     Box box;               ///< of the figure
     Spot spare{1e9, 1e9};  ///< how far a label may extend beyond it on each side, mm
     bool strict = false;   ///< a label finds no place rather than leave the room
@@ -46,8 +48,8 @@ struct Candidate {
     Box extent = nowhere;  ///< of box and leader, with the clearance that other labels must keep
     InkBox thread;         ///< of the leader
 
-    /// Adds a leader to what the request names.
-    void add_leader(const LabelRequest& request);
+    /// Adds a leader to what the request with that index names.
+    void add_leader(const LabelSetting& setting, std::size_t label);
     /// Computes `extent`; call when box and leader are final. `of_box`: the bounding box of the former, if already
     /// known.
     void close_extent(const Box& of_box);

@@ -6,6 +6,7 @@ namespace kinegraph::render::lettering {
 
 constexpr double ink_margin = 0.45;  ///< clear paper round every letter, mm
 constexpr double label_gap = 0.8;    ///< between two labels, mm
+constexpr double letter_gap = 2.2;   ///< between two symbols in a row, which would read as a product, mm
 constexpr double line_gap = 3.2;     ///< between two labels side by side on one line, which would read as one text, mm
 
 constexpr double covers_stroke = 50;  ///< outweighs every preference

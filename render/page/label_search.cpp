@@ -17,19 +17,20 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& box, const Ground& ground,
                         const std::optional<Spot>& room, bool strict) {
-    LabelSetting setting{.requests = requests, .ground = ground, .box = box, .strict = strict};
+    LabelSetting setting{
+        .requests = requests, .ground = ground, .ends = LeaderEnds(requests), .box = box, .strict = strict};
     if (room) setting.spare = {std::max(0.0, room->x - box.width()) / 2, std::max(0.0, room->y - box.height()) / 2};
     return setting;
 }
 
-/// Whether two labels would read as one: they stand side by side, hardly farther apart than two words, and one of them
-/// has a value. Two single letters are distinguished at a smaller distance.
+/// Whether two labels would read as one: they stand side by side, hardly farther apart than two words if one of them
+/// has a value, else than two letters of one.
 bool read_as_one(const Candidate& a, const Candidate& b) {
     constexpr double letter = 4;  // half the width of the longest single symbol, mm
-    if (a.ringed || b.ringed || a.box.axis.y != 0 || b.box.axis.y != 0 || std::max(a.box.half.x, b.box.half.x) < letter)
-        return false;
+    if (a.ringed || b.ringed || a.box.axis.y != 0 || b.box.axis.y != 0) return false;
     const Spot d = b.box.centre - a.box.centre;
-    return std::abs(d.y) < a.box.half.y + b.box.half.y && std::abs(d.x) - a.box.half.x - b.box.half.x < line_gap;
+    const double least = std::max(a.box.half.x, b.box.half.x) < letter ? letter_gap : line_gap;
+    return std::abs(d.y) < a.box.half.y + b.box.half.y && std::abs(d.x) - a.box.half.x - b.box.half.x < least;
 }
 
 double price_between(const Candidate& a, const Candidate& b) {
