@@ -88,6 +88,27 @@ bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
     return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
 }
 
+/// The part of the stretch `from` to `to` in which a value that begins `at` and grows `by` stays between two bounds.
+void keep_within(double low, double high, double at, double by, double& from, double& to) {
+    if (std::abs(by) < 1e-12) {
+        if (at < low || at > high) to = from;
+        return;
+    }
+    from = std::max(from, std::min((low - at) / by, (high - at) / by));
+    to = std::min(to, std::max((low - at) / by, (high - at) / by));
+}
+/// Whether a vector lies on a longer one, as drawn, over more than a third of its length.
+bool lies_on(const PolygonVector& shorter, const PolygonVector& longer) {
+    constexpr double least = 5, half_a_shaft = 0.35;  // mm; a head alone is not hidden by a shaft
+    const Spot way = shorter.tip - shorter.tail, line = longer.tip - longer.tail;
+    if (shorter.internal || longer.internal || length(way) < least || length(way) > length(line)) return false;
+    const Spot along = unit(line), start = shorter.tail + shorter.aside - longer.tail - longer.aside;
+    double from = 0, to = 1;
+    keep_within(0, length(line), dot(start, along), dot(way, along), from, to);
+    keep_within(-half_a_shaft, half_a_shaft, cross(along, start), cross(along, way), from, to);
+    return to - from > 1.0 / 3;
+}
+
 /// The offset of a vector beside a line: a lane, counted along the normal.
 struct Lane {
     int number = 0;
@@ -661,8 +682,34 @@ private:
 
 }  // namespace
 
+namespace {
+
+constexpr double lane_pitch = 2.2;  // of lanes, mm: an arrowhead with a small distance
+
+/// Moves a vector off a longer one that it meets at a very small angle, to the side on which it lies and where nothing
+/// lies yet.
+void set_aside(PolygonParts& parts, PolygonVector& vector, const PolygonVector& longer) {
+    const Spot along = unit(longer.tip - longer.tail), across{-along.y, along.x};
+    const double off = dot(0.5 * (vector.tail + vector.tip) - longer.tail, across);
+    const Spot normal = off < 0 ? -1.0 * across : across;
+    PolygonVector tried = vector;
+    const auto is_free = [&](const PolygonVector& other) {
+        return fall_together(other, vector) || (!lies_on(tried, other) && !lies_on(other, tried));
+    };
+    constexpr int lanes = 4;
+    for (int n = 1; n <= lanes; ++n) {
+        tried.aside = (lane_pitch * nth_lane(n)) * normal;
+        if (std::all_of(parts.vectors.begin(), parts.vectors.end(), is_free)) break;
+        if (n == lanes) tried.aside = lane_pitch * normal;
+    }
+    const PolygonVector before = vector;
+    for (PolygonVector& each : parts.vectors)
+        if (fall_together(each, before)) each.aside = tried.aside;
+}
+
+}  // namespace
+
 void set_side_by_side(PolygonParts& parts) {
-    constexpr double pitch = 2.2;  // mm; an arrowhead with a small distance
     std::vector<Lane> lanes;
     for (PolygonVector& vector : parts.vectors) {
         std::optional<Lane> own;
@@ -678,8 +725,15 @@ void set_side_by_side(PolygonParts& parts) {
             own = Lane{0, normal ? *normal : outward(parts, vector)};
             for (int n = 0; taken.contains(own->number);) own->number = nth_lane(++n);
         }
-        vector.aside = (pitch * own->number) * own->normal;
+        vector.aside = (lane_pitch * own->number) * own->normal;
         lanes.push_back(*own);
+    }
+    if (parts.opposites_share_label) return;  // forces: their chain stays closed
+    for (PolygonVector& vector : parts.vectors) {
+        const auto longer = std::find_if(parts.vectors.begin(), parts.vectors.end(), [&](const PolygonVector& other) {
+            return !fall_together(vector, other) && lies_on(vector, other);
+        });
+        if (longer != parts.vectors.end() && length(vector.aside) == 0) set_aside(parts, vector, *longer);
     }
 }
 

@@ -27,6 +27,12 @@ double distance_to_line(const LabelRequest& request, const InkBox& box) {
     return least;
 }
 
+bool lie_on_one_line(const LabelRequest& a, const LabelRequest& b) {
+    constexpr double beside = 0.4;  // mm
+    const Spot along = unit(*a.toward - a.anchor), half = *b.toward - b.anchor, d = b.anchor - a.anchor;
+    return std::abs(cross(along, d + half)) < beside && std::abs(cross(along, d - half)) < beside;
+}
+
 const std::vector<Spot>& LeaderEnds::ends_of(std::size_t label) const {
     std::vector<Spot>& ends = ends_[label];
     if (!ends.empty()) return ends;

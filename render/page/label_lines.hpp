@@ -20,6 +20,8 @@ bool is_beyond(const LabelRequest& request, Spot spot, double distance);
 double distance_to_line(const LabelRequest& request, Spot spot);
 /// … of a box, as long as the two do not meet.
 double distance_to_line(const LabelRequest& request, const InkBox& box);
+/// Whether both lines are parts of one.
+bool lie_on_one_line(const LabelRequest& a, const LabelRequest& b);
 
 /// Where leaders may end: on a point they name, or anywhere on a vector where no other vector is near.
 class LeaderEnds {

@@ -17,7 +17,7 @@ namespace {
 constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
 constexpr double upright_price = 8;        // for a direction mark that leaves its line
 constexpr double named_by_another = 29;    // for the name of a vector nearer to another; a leader is better
-constexpr double leads_along = 8;          // for a leader in the direction of its vector
+constexpr double leads_along = 14;         // for a leader in the direction of its vector
 constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
@@ -353,7 +353,7 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     const double near = distance_to_line(request_, centre) + 0.8;
     const double own = distance_to_line(request_, candidate.box);
     const double seen = request_.is_of_vector ? std::max(near, own + half_.x + half_.y) : near;
-    constexpr double on_one_line = 0.1;  // vectors that lie on each other are told apart by their heads
+    constexpr double same = 0.1;  // mm; vectors that lie on each other are told apart by their heads
     bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
         const LabelRequest& other = setting_.requests[j];
@@ -361,7 +361,9 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
         if (is_beyond(other, centre, seen)) continue;
         const double away = distance_to_line(other, centre);
         if (away < near) price += 2.5 * std::min(2.0, near - away);
-        is_nearest = is_nearest && distance_to_line(other, candidate.box) > own - on_one_line;
+        // Where two vectors meet, the name is as near to the one as to the other.
+        const double apart = lie_on_one_line(request_, other) ? -same : same;
+        is_nearest = is_nearest && distance_to_line(other, candidate.box) > own + apart;
     }
     // It would be read as the other's name; with a leader it is not.
     if (request_.is_of_vector && !is_nearest && !candidate.leader) price += named_by_another;
