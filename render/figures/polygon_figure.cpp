@@ -358,7 +358,7 @@ private:
             PolygonImage drawn;
             drawn.kind = each.kind;
             drawn.at = spot(figure, each.at);
-            drawn.text = typeset(each.symbol, context_.language);
+            if (each.is_named) drawn.text = typeset(each.symbol, context_.language);
             if (each.kind != SceneImage::Kind::trial)
                 drawn.name = name_of(each.symbol);
             else if (!drawn.text.empty())

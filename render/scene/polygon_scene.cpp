@@ -270,8 +270,23 @@ private:
                     {miss.symbol, place(miss.through), place(miss.foot), place(miss.tip), miss.statement});
         for (const Image& image : trials.images)
             if (image.polygon == index_ && is_near(image.point))
-                scene_.images.push_back(
-                    {SceneImage::Kind::trial, image.symbol, place(image.point), image.trial, image.statement});
+                scene_.images.push_back({SceneImage::Kind::trial, image.symbol, place(image.point), image.trial,
+                                         is_in_a_sentence(image), image.statement});
+    }
+    /// Whether a sentence on trials, that begins them or closes them, names the point of an image.
+    bool is_in_a_sentence(const Image& image) const {
+        const auto names_it = [&](StatementIndex statement) {
+            if (statement == none) return false;
+            const auto& said = protocol_.statements[at_index(statement)].message.arguments;
+            return std::any_of(said.begin(), said.end(), [&](const auto& argument) {
+                const auto* symbol = std::get_if<Symbol>(&argument);
+                return symbol != nullptr && *symbol == image.symbol;
+            });
+        };
+        const auto& misses = protocol_.trials.misses;
+        return names_it(image.statement) || std::any_of(misses.begin(), misses.end(), [&](const DrawnMiss& miss) {
+                   return miss.polygon == index_ && names_it(miss.statement);
+               });
     }
 
     void add_images() {
@@ -286,7 +301,7 @@ private:
             const Image& image = protocol_.images[at_index(index)];
             if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
             scene_.images.push_back(
-                {SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
+                {SceneImage::Kind::image, image.symbol, place(image.point), 0, true, statement_of(image)});
         }
     }
     /// The statement that draws an image: the first with a vector that ends in it; otherwise the one that finds its

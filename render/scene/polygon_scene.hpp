@@ -51,7 +51,8 @@ struct SceneImage {
     enum class Kind { pole, image, trial } kind = Kind::image;
     Symbol symbol;
     Place at;
-    int trial = 0;  ///< 1 or 2: the trial value it comes from
+    int trial = 0;         ///< 1 or 2: the trial value it comes from
+    bool is_named = true;  ///< false: of a trial, and no sentence speaks of it
     StatementIndex statement = none;
 };
 /// In a force polygon, the polygon of one body, in order. In a polygon of motion, the images of a body's points, in any
