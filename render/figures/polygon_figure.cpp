@@ -305,19 +305,29 @@ private:
         }
     }
 
-    /// Trial assumptions of the construction are thin, dashed and grey; their vertices have the number of the trial.
+    /// Trial assumptions of the construction are very thin, dashed and grey; vertices that a sentence names have the
+    /// number of the trial.
     void add_trials(PolygonParts& parts, const Figure& figure) const {
+        const std::size_t first = parts.lines.size();
         for (const SceneTrial& each : scene_.trials) {
             const Spot start = spot(figure, each.from), end = spot(figure, each.to);
-            parts.lines.push_back(trial_line(start, end, each.is_line ? trial_overshoot : 0, each.statement));
+            PolygonLine drawn = trial_line(start, end, each.is_line ? trial_overshoot : 0, each.statement);
+            // Where both trials come out alike, their strokes would be one doubled dashed line.
+            const bool is_double =
+                std::any_of(parts.lines.begin() + static_cast<std::ptrdiff_t>(first), parts.lines.end(),
+                            [&](const PolygonLine& other) {
+                                return length(other.from - drawn.from) < alike && length(other.to - drawn.to) < alike;
+                            });
+            if (!is_double) parts.lines.push_back(std::move(drawn));
         }
         for (const SceneMiss& each : scene_.misses) add_miss(parts, figure, each);
     }
+    static constexpr double alike = 0.6, lighter = 0.75;  // mm; … than lines of the construction
     PolygonLine trial_line(Spot from, Spot to, double beyond, StatementIndex statement) const {
         PolygonLine drawn;
         drawn.from = from;
         drawn.to = length(to - from) > coincident ? to + beyond * unit(to - from) : to;
-        drawn.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
+        drawn.pen = {lighter * context_.theme.thin, context_.theme.secondary, dashes(), false};
         drawn.statement = statement;
         return drawn;
     }

@@ -181,10 +181,10 @@ private:
 
     void draw_trial_images() {
         for (const PolygonImage& image : parts_.images) {
-            if (image.kind != PolygonImage::Kind::trial) continue;
+            if (image.kind != PolygonImage::Kind::trial || image.text.empty()) continue;
             figure_.marks.emplace_back(disc(image.at, 0.4, theme_.secondary));
             belong(figure_.marks, figure_.marks.size() - 1, image.statement);
-            if (!image.text.empty() && !is_in_any(details_, image.at))
+            if (!is_in_any(details_, image.at))
                 ask_label(image.text, theme_.small, theme_.secondary, image.at, 1.4, image.statement);
         }
     }

@@ -336,7 +336,12 @@ std::optional<double> InkMap::way_right(const InkBox& box) const {
     for (std::size_t word = bits->right / 64 + 1; word-- > bits->left / 64;) {
         const std::uint64_t mask = bits->mask(word);
         std::uint64_t met = 0;
-        for (std::size_t row = bits->top; row <= bits->bottom; ++row) met |= bits_[row * words_ + word] & mask;
+        for (std::size_t row = bits->top; row <= bits->bottom;) {
+            const std::size_t end = std::min((row / rows_at_once + 1) * rows_at_once, bits->bottom + 1);
+            if ((any_[row / rows_at_once * words_ + word] & mask & ~met) != 0)
+                for (; row < end; ++row) met |= bits_[row * words_ + word] & mask;
+            row = end;
+        }
         if (met != 0) {
             const std::size_t column = 64 * word + static_cast<std::size_t>(63 - std::countl_zero(met));
             return origin_.x + (static_cast<double>(column) + 0.5) * pitch_ - (box.centre.x - box.half.x);
@@ -348,11 +353,24 @@ std::optional<double> InkMap::way_right(const InkBox& box) const {
 std::optional<double> InkMap::way_down(const InkBox& box) const {
     const auto bits = bits_of(box);
     if (!bits) return std::nullopt;
-    for (std::size_t row = bits->bottom + 1; row-- > bits->top;)
-        for (std::size_t word = bits->left / 64; word <= bits->right / 64; ++word)
-            if ((bits_[row * words_ + word] & bits->mask(word)) != 0)
-                return origin_.y + (static_cast<double>(row) + 0.5) * pitch_ - (box.centre.y - box.half.y);
-    return std::nullopt;
+    std::optional<std::size_t> lowest;
+    for (std::size_t word = bits->left / 64; word <= bits->right / 64; ++word) {
+        const std::uint64_t mask = bits->mask(word);
+        const std::size_t top = lowest ? *lowest + 1 : bits->top;
+        for (std::size_t row = bits->bottom + 1; row > top;) {
+            const std::size_t end = std::max((row - 1) / rows_at_once * rows_at_once, top);
+            if ((any_[(row - 1) / rows_at_once * words_ + word] & mask) == 0) {
+                row = end;
+                continue;
+            }
+            while (row > end && (bits_[(row - 1) * words_ + word] & mask) == 0) --row;
+            if (row == end) continue;
+            lowest = row - 1;
+            break;
+        }
+    }
+    if (!lowest) return std::nullopt;
+    return origin_.y + (static_cast<double>(*lowest) + 0.5) * pitch_ - (box.centre.y - box.half.y);
 }
 
 int InkMap::crossings(Spot from, Spot to, int most) const {
