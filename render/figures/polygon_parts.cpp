@@ -841,36 +841,49 @@ private:
         if (old != was_.end()) letter = is_[static_cast<std::size_t>(old - was_.begin())].letter;
     }
 
-    /// A longer letter may need another position beside its circle, with or without a leader; a heading stays centred.
+    /// A longer letter may need another position beside its circle, with or without a leader; if none is free, it stays
+    /// where the shorter one was. A heading stays centred.
     void set_letters_anew() {
+        std::vector<Mark> before = figure_.marks;
+        set_letters(true);
+        // Outside all groups, so that it belongs to no detail. At the end of the marks no group is open.
+        const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
+        figure_.marks.emplace_back(Path{});
+        figure_.labels = std::move(letters_);
+        if (place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()},
+                         Labelling::if_all_free, context_.theme.secondary)) {
+            figure_.marks.erase(figure_.marks.begin() + end);
+        } else {
+            figure_.labels.clear();
+            figure_.marks = std::move(before);
+            set_letters(false);
+        }
+        const Box drawn = box_of(figure_.marks);
+        figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},
+                       {std::max(figure_.box.max.x, drawn.max.x), std::max(figure_.box.max.y, drawn.max.y)}};
+    }
+    /// `anew`: the letters beside circles are taken away and asked for once more.
+    void set_letters(bool anew) {
         std::vector<Mark> kept;
         for (Mark& mark : figure_.marks) {
             const auto* text = std::get_if<TextMark>(&mark);
             const DetailOn* const detail = text != nullptr ? numbered(text->detail) : nullptr;
             if (detail == nullptr) {
                 kept.push_back(std::move(mark));
-            } else if (text->cls == "label") {
+            } else if (anew && text->cls == "label") {
                 drop_leader(kept, context_.theme.secondary);
                 ask_letter(*detail, text->statement);
             } else {
-                set_heading(kept, *text, *detail);
+                set_centred(kept, *text, *detail);
             }
         }
         figure_.marks = std::move(kept);
-        // Outside all groups, so that it belongs to no detail. At the end of the marks no group is open.
-        const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
-        figure_.marks.emplace_back(Path{});
-        figure_.labels = std::move(letters_);
-        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()}, Labelling::free,
-                     context_.theme.secondary);
-        figure_.marks.erase(figure_.marks.begin() + end);
-        const Box drawn = box_of(figure_.marks);
-        figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},
-                       {std::max(figure_.box.max.x, drawn.max.x), std::max(figure_.box.max.y, drawn.max.y)}};
     }
-    void set_heading(std::vector<Mark>& marks, const TextMark& text, const DetailOn& detail) const {
+    void set_centred(std::vector<Mark>& marks, const TextMark& text, const DetailOn& detail) const {
         const auto shaped = [&](const std::string& letter) {
-            return context_.fonts.shape(one_piece(heading_of_detail(letter, context_.language)), context_.theme.label);
+            const bool is_heading = text.cls != "label";
+            return context_.fonts.shape(one_piece(is_heading ? heading_of_detail(letter, context_.language) : letter),
+                                        context_.theme.label);
         };
         const ShapedLine old = shaped(roman(detail.number)), now = shaped(detail.letter);
         const Spot at = text.glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
