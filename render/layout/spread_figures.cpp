@@ -3,7 +3,9 @@
 #include "render/layout/spread_figures.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -31,8 +33,10 @@ public:
         : origin_(content.min),
           columns_(static_cast<int>(content.width() / cell)),
           rows_(static_cast<int>(content.height() / cell)),
+          words_((at_index(columns_) + 63) / 64),
           covers_(at_index(columns_) * at_index(rows_)),
-          heights_(at_index(columns_)) {}
+          covered_(words_ * at_index(rows_)),
+          floors_(at_index(columns_)) {}
 
     /// The cells that marks cover, each once.
     std::vector<Cell> cells_of(std::span<const Mark> marks) const {
@@ -54,41 +58,56 @@ public:
     void add(const std::vector<Cell>& cells, Cell moved, int count) {
         for (const Cell& each : cells) {
             const int x = each.x + moved.x, y = each.y + moved.y;
-            if (x >= 0 && y >= 0 && x < columns_ && y < rows_)
-                covers_[at_index(y) * at_index(columns_) + at_index(x)] += count;
+            if (x >= 0 && y >= 0 && x < columns_ && y < rows_) cover(at_index(x), at_index(y), count);
         }
     }
     /// The area of the largest empty rectangle, as a fraction of all; `enough`, if it is not smaller than that.
     double largest_empty(double enough) {
-        struct Step {
-            int from, height;
-        };
         const double all = static_cast<double>(covers_.size());
-        std::fill(heights_.begin(), heights_.end(), 0);
-        std::vector<Step> steps;
+        std::fill(floors_.begin(), floors_.end(), 0);
         int largest = 0;
         for (int y = 0; y < rows_; ++y) {
-            const int* const covers = &covers_[at_index(y) * at_index(columns_)];
-            for (int x = 0; x <= columns_; ++x) {
-                int height = 0, from = x;
-                if (x < columns_) {
-                    int& own = heights_[at_index(x)];
-                    height = own = covers[x] > 0 ? 0 : own + 1;
-                }
-                for (; !steps.empty() && steps.back().height >= height; steps.pop_back()) {
-                    from = steps.back().from;
-                    if (x - from >= least_side && steps.back().height >= least_side)
-                        largest = std::max(largest, (x - from) * steps.back().height);
-                }
-                steps.push_back({from, height});
+            // Where nothing begins below this row, every rectangle goes on there.
+            bool begins = y + 1 == rows_;
+            for (std::size_t word = 0; word < words_ && !begins; ++word)
+                begins = (~row(y)[word] & row(y + 1)[word]) != 0;
+            if (begins) {
+                largest = std::max(largest, largest_on_row(y));
+                if (largest >= enough * all) return enough;
             }
-            steps.clear();
-            if (largest >= enough * all) return enough;
+            for (std::size_t word = 0; word < words_ && y + 1 < rows_; ++word)
+                for (std::uint64_t ended = row(y)[word] & ~row(y + 1)[word]; ended != 0; ended &= ended - 1)
+                    floors_[64 * word + static_cast<std::size_t>(std::countr_zero(ended))] = y + 1;
         }
         return largest / all;
     }
 
 private:
+    void cover(std::size_t x, std::size_t y, int count) {
+        const int covers = covers_[y * at_index(columns_) + x] += count;
+        const std::uint64_t bit = std::uint64_t{1} << (x % 64);
+        std::uint64_t& word = covered_[y * words_ + x / 64];
+        word = covers > 0 ? word | bit : word & ~bit;
+    }
+    const std::uint64_t* row(int y) const { return &covered_[at_index(y) * words_]; }
+    /// The cells of the largest empty rectangle that stands on a row.
+    int largest_on_row(int y) {
+        int largest = 0;
+        steps_.clear();
+        for (int x = 0; x <= columns_; ++x) {
+            const bool is_empty = x < columns_ && ((row(y)[x / 64] >> (x % 64)) & 1U) == 0;
+            const int height = is_empty ? y + 1 - floors_[at_index(x)] : 0;
+            if (x < columns_ && !steps_.empty() && steps_.back().height == height) continue;
+            int from = x;
+            for (; !steps_.empty() && steps_.back().height >= height; steps_.pop_back()) {
+                from = steps_.back().from;
+                if (x - from >= least_side && steps_.back().height >= least_side)
+                    largest = std::max(largest, (x - from) * steps_.back().height);
+            }
+            steps_.push_back({from, height});
+        }
+        return largest;
+    }
     Cell cell_of(Spot spot) const {
         return {static_cast<int>(std::floor((spot.x - origin_.x) / cell)),
                 static_cast<int>(std::floor((spot.y - origin_.y) / cell))};
@@ -96,8 +115,14 @@ private:
 
     Spot origin_;
     int columns_, rows_;
-    std::vector<int> covers_;   // number of figures, or of what stands, in each cell
-    std::vector<int> heights_;  // of the empty cells above a row
+    std::size_t words_;                   // of 64 cells, in a row
+    std::vector<int> covers_;             // number of figures, or of what stands, in each cell
+    std::vector<std::uint64_t> covered_;  // whether there are any, a bit for each cell
+    std::vector<int> floors_;             // the first row of the empty cells of each column that end in a row
+    struct Step {
+        int from, height;
+    };
+    std::vector<Step> steps_;  // of the heights in a row, as far as they ascend
 };
 
 /// Where a figure may go, in whole cells from where it stands.
