@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <set>
 
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/polygon_parts.hpp"
+#include "render/page/ink_map.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
 #include "tests/support/fonts.hpp"
@@ -437,6 +440,120 @@ TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelative
         expect_corner(*at_tail, each.axes[0].tail, unit(each.axes[0].tip - each.axes[0].tail));
     }
     EXPECT_EQ(found, 1);
+}
+
+// --- names of vectors
+
+/// A name of the figure itself, not of its details, with the box of its ink, and where its leader ends.
+struct PlacedName {
+    std::vector<std::string> vectors;
+    Box box;
+    std::optional<Spot> end;
+};
+std::vector<PlacedName> names_of(const Figure& figure) {
+    std::vector<PlacedName> placed;
+    for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+        const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
+        if (group != nullptr && group->cls == "figure" && i > 0) break;  // a detail
+        const auto* text = std::get_if<TextMark>(&figure.marks[i]);
+        if (text == nullptr || text->angle != 0) continue;
+        const auto ink = ink_of(*text, fonts());
+        if (!ink) continue;
+        const Box box{ink->centre - ink->half, ink->centre + ink->half};
+        if (text->cls != "label") {  // further pieces of the label before it
+            if (!placed.empty() && text->cls == "text" && std::holds_alternative<TextMark>(figure.marks[i - 1]))
+                placed.back().box.include(box);
+            continue;
+        }
+        placed.push_back({text->names, box, std::nullopt});
+        const auto* dot = i > 1 ? std::get_if<Path>(&figure.marks[i - 1]) : nullptr;
+        const auto* stroke = i > 1 ? std::get_if<Path>(&figure.marks[i - 2]) : nullptr;
+        if (dot != nullptr && stroke != nullptr && is_dot(*dot) && !dot->stroked && stroke->segments.size() == 2)
+            placed.back().end = std::get<MoveTo>(stroke->segments[0]).to;
+    }
+    return placed;
+}
+double distance(const Box& box, const DrawnAxis& axis) {
+    constexpr int steps = 400;
+    double least = 1e300;
+    for (int i = 0; i <= steps; ++i) {
+        const Spot at = axis.tail + (static_cast<double>(i) / steps) * (axis.tip - axis.tail);
+        least = std::min(least, length(Spot{std::max({box.min.x - at.x, 0.0, at.x - box.max.x}),
+                                            std::max({box.min.y - at.y, 0.0, at.y - box.max.y})}));
+    }
+    return least;
+}
+bool is_one_stroke(const DrawnAxis& a, const DrawnAxis& b) {
+    constexpr double seen = 0.1;
+    return (length(a.tail - b.tail) < seen && length(a.tip - b.tip) < seen) ||
+           (length(a.tail - b.tip) < seen && length(a.tip - b.tail) < seen);
+}
+
+/// Whether the name would be read as that of another vector: that is nearer, or as near to the end of the leader as its
+/// dot is wide.
+bool is_read_as_anothers(const PlacedName& name, const std::vector<DrawnAxis>& axes) {
+    const auto own = std::find_if(axes.begin(), axes.end(), [&](const DrawnAxis& axis) {
+        return axis.detail.empty() && axis.name == name.vectors.front();
+    });
+    if (own == axes.end()) return false;
+    constexpr double hardly = 0.1, dot = 0.38;
+    const Box from = name.end ? Box{*name.end, *name.end} : name.box;
+    const double enough = name.end ? dot : distance(from, *own) - hardly;
+    return std::any_of(axes.begin(), axes.end(), [&](const DrawnAxis& other) {
+        return other.detail.empty() && !is_one_stroke(*own, other) && distance(from, other) < enough;
+    });
+}
+
+TEST(PolygonNames, StandNearestToTheirVectorOrHaveALeaderThatEndsOnItAlone) {
+    int names = 0, misread = 0;
+    std::string which;
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        const Theme theme;
+        const DrawingContext context{solution, theme, fonts(), Language::en};
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            if (solution.protocol.polygons[p].plane == Plane::force) continue;
+            const Figure figure = polygon_figure(context, static_cast<int>(p), 150, 130);
+            for (const PlacedName& each : names_of(figure)) {
+                if (each.vectors.empty()) continue;
+                ++names;
+                if (!is_read_as_anothers(each, figure.axes)) continue;
+                ++misread;
+                which += name + ": " + each.vectors.front() + "\n";
+            }
+        }
+    }
+    EXPECT_GT(names, 500);
+    // In a knot of vectors none of its places may be clear.
+    EXPECT_LE(misread, names / 100) << which;
+}
+
+TEST(PolygonNames, OfTrialsAreThoseOfSentences) {
+    const Solution& solution = example("double_butterfly");
+    int named = 0, unnamed = 0;
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+        for (const SceneImage& image : polygon_scene(solution, static_cast<int>(p)).images)
+            if (image.kind == SceneImage::Kind::trial) ++(image.is_named ? named : unnamed);
+    EXPECT_GT(named, 0);
+    EXPECT_GT(unnamed, named);
+}
+
+TEST(PolygonSides, AtAVerySmallAngleTheShorterIsSetAside) {
+    for (const double degrees : {0.5, 1.0, 1.9, 2.1, 4.0, 8.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Spot tip = 30 * Spot{std::cos(angle), std::sin(angle)};
+        PolygonParts parts;
+        parts.vectors = {vector_of("short", {0, 0}, tip), vector_of("long", {0, 0}, {50, 0})};
+        set_side_by_side(parts);
+        // A gap of half a shaft, 0.35 mm, at a third of the way: 2°.
+        EXPECT_EQ(length(parts.vectors[0].aside) > 1, degrees < 2) << degrees;
+        EXPECT_EQ(length(parts.vectors[1].aside), 0) << degrees;
+        EXPECT_GE(dot(parts.vectors[0].aside, {0, 1}), 0) << degrees;  // on its own side
+        parts.opposites_share_label = true;                            // forces
+        parts.vectors[0].aside = {};
+        set_side_by_side(parts);
+        EXPECT_EQ(length(parts.vectors[0].aside), 0) << degrees;
+    }
 }
 
 }  // namespace
