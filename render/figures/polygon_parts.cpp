@@ -128,13 +128,28 @@ Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
     return normal.y < -noise || (normal.y < noise && normal.x > 0) ? normal : -1.0 * normal;
 }
 
+/// Whether so many names stand about the vectors that in the usual size few would find places beside them.
+bool is_knot(const PolygonParts& parts) {
+    constexpr double many = 16, in = 70;  // names, mm
+    const auto names = static_cast<double>(parts.vectors.size());
+    if (names <= many) return false;
+    Box box{parts.vectors.front().tail, parts.vectors.front().tail};
+    for (const PolygonVector& vector : parts.vectors) box.include(vector.tail), box.include(vector.tip);
+    return names / many > std::max(box.width(), box.height()) / in;
+}
+
 // --- figures
 
 class PartsDrawing {
 public:
     PartsDrawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
                  const std::vector<Detail>& details)
-        : figure_(figure), context_(context), theme_(context.theme), parts_(parts), details_(details) {}
+        : figure_(figure),
+          context_(context),
+          theme_(context.theme),
+          parts_(parts),
+          details_(details),
+          name_size_(is_knot(parts) ? context.theme.body_text : context.theme.equation) {}
 
     void draw() {
         constexpr std::size_t of_a_vector = 6, most_of_another = 3;
@@ -291,7 +306,7 @@ private:
         drawn.push_back({&vector, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
-        LabelRequest& label = ask_label(vector.text, vector.internal || vector.is_thin ? theme_.label : theme_.equation,
+        LabelRequest& label = ask_label(vector.text, vector.internal || vector.is_thin ? theme_.label : name_size_,
                                         vector.colour.letter, 0.5 * (tail + tip), 1.5, vector.statement);
         label.toward = tip;
         label.is_of_vector = true;
@@ -400,6 +415,7 @@ private:
     const Theme& theme_;
     const PolygonParts& parts_;
     const std::vector<Detail>& details_;
+    double name_size_;  // of vectors
 };
 
 // --- details
