@@ -37,6 +37,16 @@ PolygonScene::Kind kind_of(const Polygon& polygon) {
     return polygon.kind == Polygon::Kind::joined_forces ? PolygonScene::Kind::closure : PolygonScene::Kind::forces;
 }
 
+/// Whether the sentence of a statement names the symbol.
+bool names(const Protocol& protocol, StatementIndex statement, const Symbol& symbol) {
+    if (statement == none) return false;
+    const auto& said = protocol.statements[at_index(statement)].message.arguments;
+    return std::any_of(said.begin(), said.end(), [&](const auto& argument) {
+        const auto* named = std::get_if<Symbol>(&argument);
+        return named != nullptr && *named == symbol;
+    });
+}
+
 class Reading {
 public:
     Reading(const Solution& solution, int polygon)
@@ -275,17 +285,10 @@ private:
     }
     /// Whether a sentence on trials, that begins them or closes them, names the point of an image.
     bool is_in_a_sentence(const Image& image) const {
-        const auto names_it = [&](StatementIndex statement) {
-            if (statement == none) return false;
-            const auto& said = protocol_.statements[at_index(statement)].message.arguments;
-            return std::any_of(said.begin(), said.end(), [&](const auto& argument) {
-                const auto* symbol = std::get_if<Symbol>(&argument);
-                return symbol != nullptr && *symbol == image.symbol;
-            });
-        };
         const auto& misses = protocol_.trials.misses;
-        return names_it(image.statement) || std::any_of(misses.begin(), misses.end(), [&](const DrawnMiss& miss) {
-                   return miss.polygon == index_ && names_it(miss.statement);
+        return names(protocol_, image.statement, image.symbol) ||
+               std::any_of(misses.begin(), misses.end(), [&](const DrawnMiss& miss) {
+                   return miss.polygon == index_ && names(protocol_, miss.statement, image.symbol);
                });
     }
 
