@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "engine/number/assert.hpp"
 
@@ -21,11 +20,13 @@ constexpr int most_columns_more = 2;          // beyond those of the format, for
 }  // namespace
 
 const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
-    const Rows key{{band.question, divided, cornered}, band.first_row, band.end_row};
+    // What has no figure beside it takes the height of its tables.
+    const bool whole_tables = band.figures.empty();
+    const Rows key{{band.question, divided, cornered}, band.first_row, band.end_row, whole_tables};
     const auto found = texts_.find(key);
     if (found != texts_.end()) return found->second;
     std::vector<Passage> own = own_rows(whole(band, divided, cornered), band);
-    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), size_)).first->second;
+    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), size_, whole_tables)).first->second;
 }
 
 BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
@@ -71,14 +72,15 @@ bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
 }
 
 std::size_t BandTexts::rows(const Band& band) {
-    const std::vector<std::size_t> rows = rows_by_passage(band);
-    return std::accumulate(rows.begin(), rows.end(), std::size_t{0});
+    std::size_t rows = 0;
+    for (const RowsOfPassage& passage : rows_by_passage(band)) rows += passage.count;
+    return rows;
 }
 
-std::vector<std::size_t> BandTexts::rows_by_passage(const Band& band) {
-    std::vector<std::size_t> rows;
+std::vector<BandTexts::RowsOfPassage> BandTexts::rows_by_passage(const Band& band) {
+    std::vector<RowsOfPassage> rows;
     for (const Passage& passage : own_rows(whole(band, format_.columns, false), band))
-        rows.push_back(passage.rows.size());
+        rows.push_back({passage.rows.size(), passage.is_table});
     return rows;
 }
 

@@ -78,8 +78,11 @@ public:
     bool has_too_wide(const Band& band, int divided, bool cornered);
     /// Number of rows.
     std::size_t rows(const Band& band);
-    /// Number of rows of each passage, in order.
-    std::vector<std::size_t> rows_by_passage(const Band& band);
+    struct RowsOfPassage {
+        std::size_t count;
+        bool is_table;
+    };
+    std::vector<RowsOfPassage> rows_by_passage(const Band& band);  ///< in order
     /// The equations as a block for a corner of a figure.
     const Block& equations(const Band& band);
     /// Removes the text of a band from the cache, because the text has changed.
@@ -106,7 +109,7 @@ private:
     const SheetFormat& format_;
     double size_;
     BandTexts* planned_;
-    using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
+    using Rows = std::tuple<Setting, std::size_t, std::size_t, bool>;  // the first, the end, with tables whole
     std::map<Setting, Whole> wholes_;
     std::map<Rows, ColumnText> texts_;
     std::map<std::string, Block> equations_;

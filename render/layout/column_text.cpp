@@ -49,14 +49,15 @@ bool is_wider(const Passage& passage, double scale, double measure) {
                        [&](const SharedBlock& row) { return scale * row.width() > measure + ink; });
 }
 
-ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
+ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale, bool whole_tables)
     : passages_(std::move(passages)), scale_(scale), measure_(measure) {
     for (std::size_t p = 0; p < passages_.size(); ++p) {
         const Passage& passage = passages_[p];
         too_wide_ = too_wide_ || is_wider(passage, scale_, measure_);
         broken_rows_ += broken_rows_of(passage);
         for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
-            end = end_of_group(passage, scale_, first);
+            const bool is_whole = whole_tables && passage.is_table && passage.rows.size() < long_table;
+            end = is_whole ? passage.rows.size() : end_of_group(passage, scale_, first);
             double rows = 0;
             for (std::size_t i = first; i < end; ++i) rows += height_of(passage.rows[i]);
             const double heading = first == 0 ? height_of(passage.heading) : 0, head = height_of(passage.head);

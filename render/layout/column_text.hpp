@@ -13,13 +13,17 @@ struct TextColumn {
 };
 using TextColumns = std::vector<TextColumn>;
 
+/// A table of as many rows may be divided anywhere: kept whole, it would leave most of a page white.
+constexpr std::size_t long_table = 25;
+
 /// Whether a table or a heading is wider than a column of `measure` mm. `scale`: that of the rows.
 bool is_wider(const Passage& passage, double scale, double measure);
 
 class ColumnText {
 public:
-    /// Rows are typeset at scale 1 and scaled when they are placed; `measure`: width of a column, mm.
-    ColumnText(std::vector<Passage> passages, double measure, double scale);
+    /// Rows are typeset at scale 1 and scaled when they are placed; `measure`: width of a column, mm; `whole_tables`: no
+    /// table is divided but a long one.
+    ColumnText(std::vector<Passage> passages, double measure, double scale, bool whole_tables);
 
     bool empty() const { return passages_.empty(); }
     double measure() const { return measure_; }

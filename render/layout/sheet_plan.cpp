@@ -298,18 +298,19 @@ KeptScales SheetPlan::scales() const {
 
 namespace {
 
-/// Reduces a number of rows so that neither the first row of a list or table stands alone on a page nor its last one on
-/// the next. Not below `fewest`.
-std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t rows, std::size_t fewest) {
+/// Reduces a number of rows so that no table that a page holds is divided, and neither the first row of a list stands
+/// alone on a page nor its last one on the next. Not below `fewest`.
+std::size_t without_widows(const std::vector<BandTexts::RowsOfPassage>& passages, std::size_t rows,
+                           std::size_t fewest) {
     std::size_t first = 0;
-    for (const std::size_t own : passages) {
-        const std::size_t end = first + own;
+    for (const BandTexts::RowsOfPassage& own : passages) {
+        const std::size_t end = first + own.count;
         if (rows <= first || rows >= end) {
             first = end;
             continue;
         }
         std::size_t before = end - rows == 1 ? rows - 1 : rows;
-        if (before - first <= 1) before = first;
+        if (before - first <= 1 || (own.is_table && own.count < long_table)) before = first;
         return before >= fewest ? before : rows;
     }
     return rows;
@@ -357,7 +358,29 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
         const std::size_t middle = (good + bad) / 2;
         (is_good(middle) ? good : bad) = middle;
     }
-    return without_widows(now_.texts->rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
+    const std::vector<BandTexts::RowsOfPassage> passages = now_.texts->rows_by_passage(band);
+    const std::size_t rows = without_widows(passages, std::min(good, all - std::min(all - 1, fewest)), fewest);
+    return rows_for_a_filled_rest(index, passages, rows, fewest);
+}
+
+/// Fewer rows, up to the end of a passage, where the rest would leave most of its page white: the figures are larger
+/// for it.
+std::size_t SheetPlan::rows_for_a_filled_rest(std::size_t index, const std::vector<BandTexts::RowsOfPassage>& passages,
+                                              std::size_t rows, std::size_t fewest) {
+    constexpr double filled = 0.4;  // of the page
+    const Box content = content_of(format_, false);
+    const auto is_filled = [&](std::size_t before) {
+        Band rest = bands_.list[index];
+        rest.figures.clear();
+        rest.first_row += before;
+        const ColumnText& text = now_.texts->of(rest, format_.columns, false);
+        return text.whole_height() * text.measure() >= filled * content.width() * content.height();
+    };
+    std::vector<std::size_t> ends{0};
+    for (const BandTexts::RowsOfPassage& passage : passages) ends.push_back(ends.back() + passage.count);
+    for (std::size_t p = ends.size(); p-- > 0 && !is_filled(rows);)
+        if (ends[p] < rows && ends[p] >= fewest) rows = ends[p];
+    return rows;
 }
 
 BandLayouts SheetPlan::layouts_of(const Band& band) {

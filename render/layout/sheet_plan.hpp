@@ -75,6 +75,8 @@ private:
     void give_each_a_page();
     double score_of(std::size_t index, std::size_t end_row);
     std::size_t rows_for_a_page(std::size_t index);
+    std::size_t rows_for_a_filled_rest(std::size_t index, const std::vector<BandTexts::RowsOfPassage>& passages,
+                                       std::size_t rows, std::size_t fewest);
     BandLayouts layouts_of(const Band& band);
     void divide(std::size_t index, std::size_t rows);
     void rejoin();
