@@ -262,6 +262,7 @@ private:
         for (ActionLine& action : lines_) {
             if (std::find(action.far_meets.begin(), action.far_meets.end(), name) == action.far_meets.end()) continue;
             const Interval seen = within(view_, action.at, action.along);
+            if (seen.from > seen.to) continue;  // all of the line is outside
             const double sense = dot(meet - action.at, action.along) > 0 ? 1 : -1;
             const Spot edge = action.at + (sense > 0 ? seen.to : seen.from) * action.along;
             const Spot tip = edge + sense * broken_end * action.along;

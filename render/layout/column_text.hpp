@@ -21,8 +21,8 @@ bool is_wider(const Passage& passage, double scale, double measure);
 
 class ColumnText {
 public:
-    /// Rows are typeset at scale 1 and scaled when they are placed; `measure`: width of a column, mm; `whole_tables`: no
-    /// table is divided but a long one.
+    /// Rows are typeset at scale 1 and scaled when they are placed; `measure`: width of a column, mm; `whole_tables`:
+    /// no table is divided but a long one.
     ColumnText(std::vector<Passage> passages, double measure, double scale, bool whole_tables);
 
     bool empty() const { return passages_.empty(); }

@@ -481,5 +481,24 @@ TEST(ForceEquations, AskForNothingThatIsFoundAlready) {
     EXPECT_GT(equations, 20);
 }
 
+/// Nearly equal forces that are opposite have their resultant far from the mechanism. What lies on its line alone stays
+/// out of the figure, which it would make as wide as the distance.
+TEST(LinesOfAction, ThatPassOutsideAreNotDrawn) {
+    const Solution portal = solved(R"({"kinegraph": 1, "frame": 0,
+        "points": {"A": [0, 0], "B": [6, 0], "C": [3, 5], "D": [0, 4], "E": [6, 4], "M": [4.5, 4.5]},
+        "bodies": {"1": ["A", "D", "C"], "2": ["C", "M", "E", "B"], "3": ["D", "E"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]},
+        {"contact": "B", "bodies": [2, 0], "tangent": 0, "pushes": [0, 1]}, {"revolute": "D", "bodies": [1, 3]},
+        {"revolute": "E", "bodies": [2, 3]}],
+        "loads": [{"force": "H", "body": 1, "at": "D", "value": [4, 0]},
+        {"force": "Q", "body": 2, "at": "M", "value": [0, -9.486833]}]})");
+    const Theme theme;
+    const DrawingContext context{portal, theme, pages::fonts()};
+    const Figure figure = mechanism_with_forces(context, 1000, 200, all_loads, {.finest = 0.1, .exactly = true});
+    ASSERT_EQ(figure.scale, 0.1);
+    constexpr double links = 60, arrows = 30;  // mm, of 6 m; on either side, with their names
+    EXPECT_LT(figure.box.width(), links + 2 * arrows + 40);
+}
+
 }  // namespace
 }  // namespace force_figures_test
