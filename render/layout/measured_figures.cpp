@@ -14,12 +14,12 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double rounding = 1e-9;
-constexpr double nothing = 1e-20;           // an extent that is that of a point
-constexpr double largest_of_scaled = 130;   // mm; a figure gains nothing from a larger size
-constexpr double not_small = 24;            // mm; lengths can be read to half a percent
-constexpr double readable_of_forces = 30;   // mm; a smaller force polygon is drawn at a finer scale than the others …
-constexpr double own_scale_of_forces = 60;  // … at which it is not larger than this;
-constexpr double grown_of_forces = 40;      // … and where its band has room, what is smaller than this
+constexpr double nothing = 1e-20;            // an extent that is that of a point
+constexpr double largest_of_scaled = 130;    // mm; a figure gains nothing from a larger size
+constexpr double not_small = 24;             // mm; lengths can be read to half a percent
+constexpr double unreadable_of_forces = 25;  // mm; a smaller force polygon is drawn at a finer scale than the others …
+constexpr double readable_of_forces = 40;    // … as may one that is smaller than this, where the plan has room …
+constexpr double own_scale_of_forces = 60;   // … at which it is not larger than this;
 
 /// How long the longest vector is at least, mm, where it acts on something at this scale.
 double arrow_at(const Wanted& wanted, double scale) {
@@ -119,7 +119,7 @@ std::vector<FigureSize> MeasuredFigures::sizes_between(std::size_t figure, doubl
 std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureSize& now, const Growth& growth) {
     const Wanted& wanted = wanted_.list[figure];
     std::vector<FigureSize> sizes;
-    const double enough = wanted.to_force_scale ? grown_of_forces : std::min(growth.enough, most_of(wanted));
+    const double enough = wanted.to_force_scale ? readable_of_forces : std::min(growth.enough, most_of(wanted));
     if (!may_grow(figure) || !(now.x > 0) || wanted.extent_of_subject() / now.scale >= enough) return sizes;
     const Spot most{std::min(growth.room.x, page().x), std::min(growth.room.y - caption_line, page().y)};
     for (const double scale : finer_scales(wanted, now.scale, growth.enough > large_enough)) {
@@ -337,20 +337,26 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::with_arrows(const Wanted&
 /// A row of polygons may also stand in several rows. At the coarsest common scale a polygon whose names want more room
 /// may come coarser still; a finer scale is common to all or not taken.
 std::vector<MeasuredFigures::Measure> MeasuredFigures::at_force_scale(const Wanted& wanted, double force_scale) const {
-    double scale = force_scale;
-    constexpr double small_part = 0.5;
-    if (wanted.may_be_larger && wanted.extent() / scale < readable_of_forces &&
-        wanted.extent() <= small_part * largest_of_forces()->extent())
-        scale = choose_scale(wanted.extent(), 0, own_scale_of_forces, 1, std::nullopt);
+    constexpr double part_that_must = 0.35, part_that_may = 0.5;  // of the largest polygon
+    std::vector<double> scales{force_scale};
+    const double size = wanted.extent() / force_scale, part = wanted.extent() / largest_of_forces()->extent();
+    if (wanted.may_be_larger && size < readable_of_forces && part <= part_that_may) {
+        const double own = choose_scale(wanted.extent(), 0, own_scale_of_forces, 1, std::nullopt);
+        if (size < unreadable_of_forces && part <= part_that_must)
+            scales = {own};
+        else if (own < force_scale)
+            scales.push_back(own);
+    }
     if (kept_ && wanted.may_be_larger)
         if (const auto own = kept_->of_figures.find(wanted_.kept_as(wanted.id)); own != kept_->of_figures.end())
-            scale = std::min(scale, own->second);
+            for (double& scale : scales) scale = std::min(scale, own->second);
     const std::vector<double> common = force_scales();
     const bool exactly = !common.empty() && force_scale < common.back() * (1 - rounding);
     std::vector<Measure> all;
-    for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)
-        all.push_back(
-            {scale, {format_.span(columns, format_.columns), page().y}, {.finest = scale, .exactly = exactly}});
+    for (const double scale : scales)
+        for (int columns = wanted.is_row ? 1 : format_.columns; columns <= format_.columns; ++columns)
+            all.push_back(
+                {scale, {format_.span(columns, format_.columns), page().y}, {.finest = scale, .exactly = exactly}});
     return all;
 }
 
