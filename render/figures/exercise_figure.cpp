@@ -29,11 +29,10 @@ public:
         : sketch_(sketch), mechanism_(sketch.mechanism), within_(within) {}
 
     void draw() {
-        draw_drivers(sketch_);
         draw_in_colour(sketch_);
         clutter_.add(sketch_.bodies);
         clutter_.add(sketch_.ground);
-        draw_accelerations_of_drivers(sketch_);
+        draw_arrows_of_motion(sketch_, {.undrivable = true, .accelerations_of_drivers = true});
         clutter_.add(sketch_.arrows);
         draw_auxiliary_points();
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);

@@ -23,16 +23,10 @@ using namespace drawing;
 
 namespace {
 
-/// Arrows of motion in addition to the rates of the drivers.
-struct Arrows {
-    std::vector<Symbol::Letter> found{};    ///< ω or α of the bodies
-    bool accelerations_of_drivers = false;  ///< given in the file
-};
-
 /// Optional content of a mechanism figure.
 struct Shows {
     bool centres = false;
-    Arrows arrows{};
+    MotionWish arrows{};
     const std::vector<Way>* ways = nullptr;
     Box without_ways{};  ///< extent of the mechanism alone, m; only with ways
 };
@@ -184,13 +178,6 @@ Box extent_with_centres(const Subject& subject) {
     return with_near_places(subject.box, std::move(places), growth_for_places * subject.size());
 }
 
-std::size_t dimensions_in(const Figure& figure) {
-    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
-        const auto* group = std::get_if<GroupBegin>(&mark);
-        return group && group->cls == "dimension";
-    }));
-}
-
 /// A figure of the mechanism with optional content; draws it at several scales.
 struct MechanismFigure {
     const DrawingContext& context;
@@ -209,8 +196,9 @@ struct MechanismFigure {
                                .strict = wish.strict,
                                .exactly = wish.exactly,
                                .names_stay_in_room = true};
-        const auto fitted_with = [&](const Arrows& arrows) {
-            return fit(policy, [&](const Trial& trial) { return drawn(trial, arrows); });
+        const auto fitted_with = [&](const MotionWish& arrows) {
+            return fit(policy,
+                       [&](const Trial& trial) { return drawn(trial, arrows, room_for_labels(room), nullptr); });
         };
         Figure figure = fitted_with(shows.arrows);
         if (!shows.arrows.accelerations_of_drivers || accelerations_given() == 0) return figure;
@@ -218,12 +206,11 @@ struct MechanismFigure {
         // anyway.
         const bool is_finest = !wish.asked && figure.scale <= policy.first;
         if (figure.has_key || is_finest) return figure;
-        Figure without = fitted_with({shows.arrows.found, false});
+        Figure without = fitted_with({.found = shows.arrows.found});
         return without.scale < figure.scale ? without : figure;
     }
 
-    /// The same with ω and α, or with ω alone. Empty and at any_scale if the scale, a name or a dimension would be
-    /// lost.
+    /// The same with ω and α, or with ω alone. Empty and at any_scale if the scale or a name would be lost.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
         const std::vector<std::vector<Symbol::Letter>> choices{{omega, alpha}, {omega}};
@@ -231,46 +218,65 @@ struct MechanismFigure {
         constexpr double room_of_each = 900;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
         for (const std::vector<Symbol::Letter>& found : choices) {
-            const Arrows arrows{found, true};
+            const MotionWish arrows{.accelerations_of_drivers = true, .most_without_room = 1, .found = found};
             const std::size_t count = count_of(arrows);
             if (count == accelerations_given() || count > most ||
                 room.x * room.y < room_of_each * static_cast<double>(count))
                 continue;
-            Figure figure = drawn(trial, arrows);
-            if (!has_room(figure) || figure.has_key) continue;
-            // A name with a leader is hard to find, and may stand beside another arc: one at most.
-            if (figure.leaders <= plain.leaders + 1 && dimensions_in(figure) >= dimensions_in(plain)) return figure;
+            Figure figure = drawn(trial, arrows, room, &plain);
+            // The scale bar mostly finds a place beside the mechanism; if it does not, names leave it the room below.
+            if (!has_room(figure)) figure = drawn(trial, arrows, room_for_labels(room), &plain);
+            if (is_as_readable(figure, plain)) return figure;
         }
         return Figure::empty_at(any_scale);
     }
 
 private:
-    /// Automatic dimensions are added last, so that they change neither the scale nor the position of a name.
-    Figure drawn(const Trial& trial, const Arrows& arrows) const {
+    static std::ptrdiff_t astray(const Figure& figure) {
+        return std::count_if(figure.leader_lines.begin(), figure.leader_lines.end(),
+                             [](const DrawnLeader& leader) { return leader.is_astray; });
+    }
+    static double longest(const Figure& figure) {
+        double most = 0;
+        for (const DrawnLeader& leader : figure.leader_lines) most = std::max(most, length(leader.to - leader.from));
+        return most;
+    }
+    /// A name with a leader is hard to find, and may stand beside another arc: one more at most, and a short one.
+    bool is_as_readable(const Figure& figure, const Figure& plain) const {
+        constexpr double short_leader = 12;  // mm
+        return !figure.marks.empty() && has_room(figure) && !figure.has_key && figure.leaders <= plain.leaders + 1 &&
+               astray(figure) <= astray(plain) && longest(figure) <= std::max(short_leader, longest(plain));
+    }
+
+    /// Automatic dimensions are added last, so that they change neither the scale nor the position of a name. Those of
+    /// a figure that has been drawn before are kept.
+    Figure drawn(const Trial& trial, const MotionWish& arrows, Spot room_of_names, const Figure* before) const {
         Sketch sketch(subject, context, trial.scale, "");
+        sketch.space = room_of_names;
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
         draw_compass(sketch);
         draw_in_colour(sketch);
         std::vector<RichText> left_out;
         if (shows.centres) left_out = draw_centres(sketch);
-        draw_drivers(sketch);
         draw_equivalent_linkages(sketch);
-        if (arrows.accelerations_of_drivers) draw_accelerations_of_drivers(sketch);
-        for (const Symbol::Letter letter : arrows.found) draw_turnings(sketch, letter);
+        const bool adds_dimensions = context.dimensions == Dimensions::automatic;
+        if (adds_dimensions && before != nullptr) keep_dimensions(sketch, *before);
+        if (!draw_arrows_of_motion(sketch, arrows)) return Figure::empty_at(any_scale);
         if (context.dimensions == Dimensions::on) draw_dimensions(sketch, room, {.all = true});
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
         if (shows.ways != nullptr) name_ways(sketch, *shows.ways);
         Figure figure =
             sketch.finish(begun(context, {shows.centres ? FigureKind::centres : FigureKind::mechanism}), "m");
+        figure.strokes = sketch.strokes_of_bodies();
         if (shows.ways != nullptr)
             figure.caption = one_piece(word(lang::sheet::mechanism_and_its_way, context.language));
         if (!left_out.empty()) append(figure.caption, without(left_out));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length,
                      trial.strict);
-        if (context.dimensions == Dimensions::automatic && has_room(figure) && !figure.has_key)
-            add_dimensions(sketch, figure, room);
+        if (adds_dimensions && has_room(figure) && !figure.has_key)
+            add_dimensions(sketch, figure, room, {.left_out = dimensions_of(figure)});
         return figure;
     }
 
@@ -301,7 +307,7 @@ private:
         return static_cast<std::size_t>(std::count_if(drivers.begin(), drivers.end(), is_given));
     }
     /// With the rates of the drivers, which also need space.
-    std::size_t count_of(const Arrows& arrows) const {
+    std::size_t count_of(const MotionWish& arrows) const {
         std::size_t count = arrows.accelerations_of_drivers ? accelerations_given() : 0;
         for (const BodyMotion& motion : context.solution.bodies)
             for (const Symbol::Letter letter : arrows.found) {
@@ -443,9 +449,8 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
             if (with_rays) draw_rays(sketch, *one.motion, tip, view, rays);
             draw_shown_vector(sketch, what, one, {at, tip});
         }
-        draw_drivers(sketch);
-        if (what.of_bodies == Symbol::Letter::alpha) draw_accelerations_of_drivers(sketch);
-        draw_turnings(sketch, what.of_bodies);
+        draw_arrows_of_motion(
+            sketch, {.accelerations_of_drivers = what.of_bodies == Symbol::Letter::alpha, .found = {what.of_bodies}});
         for (const auto& [bar, statement] : rays) {
             sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
             belong(sketch.construction, sketch.construction.size() - 1, statement);
@@ -461,7 +466,9 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         const ScaleWish& wish) {
-    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres, .arrows = {{}, true}}}.fitted(wish);
+    return MechanismFigure{
+        context, {room_x, room_y}, {.centres = with_centres, .arrows = {.accelerations_of_drivers = true}}}
+        .fitted(wish);
 }
 
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres) {
@@ -485,8 +492,10 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
-    return MechanismFigure{context, {room_x, room_y}, {.arrows = {{letter}, letter == Symbol::Letter::alpha}}}.fitted(
-        {});
+    return MechanismFigure{context,
+                           {room_x, room_y},
+                           {.arrows = {.accelerations_of_drivers = letter == Symbol::Letter::alpha, .found = {letter}}}}
+        .fitted({});
 }
 
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y, const ScaleWish& wish) {

@@ -5,6 +5,7 @@
 
 #include "engine/sentences/centre_symbol.hpp"
 #include "render/mechanism/centre_choice.hpp"
+#include "render/mechanism/free_arc.hpp"
 #include "render/mechanism/near_places.hpp"
 #include "render/mechanism/sketch.hpp"
 
@@ -218,8 +219,8 @@ private:
             if (t >= ray.to - 1e-9) ray.to += overshoot;
             if (t <= ray.from + 1e-9) ray.from -= overshoot;
         } else {
-            leave_the_drawing(c, ray);
             for (std::size_t k = 0; k < known.size() && !counted_from_[c]; ++k) counted_from_[c] = name_at(known[k]);
+            leave_the_drawing(c, ray);
         }
         draw_once(ray);
     }
@@ -239,20 +240,31 @@ private:
         }
         constexpr double beyond = 16;
         if (forward)
-            ray.to = where_[c] == Where::far ? base_of_arrow(ray, ray.to, 1, seen.to) : ray.to + beyond;
+            ray.to = where_[c] == Where::far ? base_of_arrow(c, ray, 1, seen.to) : ray.to + beyond;
         else
-            ray.from = where_[c] == Where::far ? base_of_arrow(ray, ray.from, -1, -seen.from) : ray.from - beyond;
+            ray.from = where_[c] == Where::far ? base_of_arrow(c, ray, -1, -seen.from) : ray.from - beyond;
         if (!arrows_[c])
             arrows_[c] = Arrow{ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along};
     }
     /// Where on the ray the arrow to a distant centre begins: soon behind its last centre, or nearer to the edge of the
-    /// view if there is less in its way.
-    double base_of_arrow(const Ray& ray, double last, double sense, double edge) const {
+    /// view if there is less in its way and the name has room at its head.
+    double base_of_arrow(std::size_t c, const Ray& ray, double sense, double edge) {
         constexpr double both_seen = 8, step = 4, per_millimetre = 0.05;
-        const double most = edge - 0.6 * broken_end;
+        // Worth sixty millimetres: a leader would cross what the arrow leaves behind.
+        constexpr double without_name = 3;
+        constexpr double among_lines = 1.5;  // within the mechanism lines to other centres will pass
+        const FreePaper& paper = paper_of(sketch_);
+        const InkBox name = box_of_name(sketch_, name_from_afar(c));
+        const double last = sense > 0 ? ray.to : ray.from, most = edge - 0.6 * broken_end;
         Cheapest<double> best;
-        for (double on = sense * last + both_seen, first = on; on <= std::max(first, most); on += step)
-            best.offer(obstruction(ray, sense * on, sense) + per_millimetre * (on - first), sense * on);
+        for (double on = sense * last + both_seen, first = on; on <= std::max(first, most); on += step) {
+            double price = obstruction(ray, sense * on, sense) + per_millimetre * (on - first);
+            if (price >= best.price) continue;
+            const Spot tip = ray.at + sense * (on + broken_end) * ray.along;
+            if (!paper.has_room_about(tip, name)) price += without_name;
+            if (contains(sketch_.mechanism_box(), tip)) price += among_lines;
+            best.offer(price, sense * on);
+        }
         return best.choice;
     }
     double obstruction(const Ray& ray, double end, double sense) const {
@@ -378,14 +390,21 @@ private:
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, false);
-        if (where_[c] == Where::far && counted_from_[c]) {
-            // "P_13 (O4 P_13 = 1.84 m)": the segment that does not fit into the drawing.
-            append(label.text, how_far(sketch_, counted_from_[c]->name, name_of_centre(c),
-                                       length(place_[c] - counted_from_[c]->at)));
-        }
+        if (where_[c] == Where::far) append(label.text, how_far_is(c));
         label.anchor = tip;
         label.clearance = 1.2;
         return label;
+    }
+
+    /// "  (O4 P_13 = 1.84 m)": the segment that does not fit into the drawing.
+    RichText how_far_is(std::size_t c) const {
+        const std::optional<Named>& from = counted_from_[c];
+        return from ? how_far(sketch_, from->name, name_of_centre(c), length(place_[c] - from->at)) : RichText{};
+    }
+    RichText name_from_afar(std::size_t c) const {
+        RichText text = name_of_centre(c);
+        append(text, how_far_is(c));
+        return text;
     }
 
     Sketch& sketch_;

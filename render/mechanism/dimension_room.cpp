@@ -66,6 +66,7 @@ void DimensionRoom::keep_off_all_of(const Figure& figure) {
         end = end_of_mark(marks, first);
         const std::span<const Mark> own = marks.subspan(first, end - first);
         const auto* group = std::get_if<GroupBegin>(&marks[first]);
+        if (group != nullptr && group->cls == "tint") continue;  // a dimension may stand on a tint
         if (std::span<const Mark>* layer = group ? layer_of(layers, group->cls) : nullptr)
             *layer = own;
         else

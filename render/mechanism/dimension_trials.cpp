@@ -157,14 +157,17 @@ std::vector<DimensionTrial> DimensionTrials::of(const DimensionedRadius& datum, 
     if (datum.radius < (sought_far_ ? 2 : 5)) return {};
     std::vector<DimensionTrial> trials;
     for (int i = 0; i < 12; ++i) trials.push_back(from_outside(datum, leader_angle(i), 6.5, width, 0.02 * i));
+    // In a large circle the text has room along the radius; so it has in one that is as large as the figure.
+    const bool is_large = datum.radius > width + 8;
+    for (int i = 0; i < 12 && is_large && !sought_far_; ++i)
+        trials.push_back(from_centre(datum, leader_angle(i), 0.6 + 0.02 * i));
     if (sought_far_)
         for (const double half : {0.0, 0.5})
             for (int i = 0; i < 12; ++i) {
                 for (const double length : {6.5, 11.0, 16.0, 22.0})
                     trials.push_back(
                         from_outside(datum, leader_angle(i + half), length, width, 0.02 * i + 0.06 * length));
-                if (datum.radius > width + 8)
-                    trials.push_back(from_centre(datum, leader_angle(i + half), 0.6 + 0.02 * i));
+                if (is_large) trials.push_back(from_centre(datum, leader_angle(i + half), 0.6 + 0.02 * i));
             }
     return trials;
 }

@@ -150,7 +150,7 @@ private:
         return GroupId({}, std::move(element));
     }
     Drawn drawn_as(std::string name) {
-        GroupId id = wish_.sought_far ? id_of(name) : GroupId();
+        GroupId id = wish_.sought_far || !wish_.left_out.empty() ? id_of(name) : GroupId();
         return {std::move(name), std::move(id), wish_.sought_far ? 10 : 2.2};
     }
     /// An angle has a single id, however often it is tried.
@@ -205,6 +205,18 @@ std::set<GroupId> dimensions_of(const Figure& figure) {
         if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "dimension")
             ids.insert(group->id);
     return ids;
+}
+
+void keep_dimensions(Sketch& sketch, const Figure& figure) {
+    std::vector<Mark>& kept = sketch.dimensions;
+    for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+        const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
+        if (group == nullptr || group->cls != "dimension") continue;
+        const auto first = figure.marks.begin() + static_cast<std::ptrdiff_t>(i);
+        kept.insert(kept.end(), first,
+                    figure.marks.begin() + static_cast<std::ptrdiff_t>(end_of_mark(figure.marks, i)));
+    }
+    move(kept, -figure.origin.x, -figure.origin.y);
 }
 
 std::set<GroupId> covered_dimensions(const Figure& figure, const Fonts& fonts) {

@@ -4,7 +4,7 @@
 
 #include "engine/sentences/result_catalogue.hpp"
 #include "engine/solution/sliding.hpp"
-#include "render/mechanism/clutter.hpp"
+#include "render/mechanism/free_arc.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
@@ -24,148 +24,18 @@ std::string without_filling_zeros(double value, Language language, int digits) {
     return text;
 }
 
-/// ω or α of a body as an arc about a point, with its name.
-struct Turning {
-    BodyIndex body = none;
-    Spot pivot;
-    bool counter_clockwise = true;
-    RichText text;
-    StatementIndex statement = none;
-};
-
-/// A stroke of the body that leaves the pivot. The arc touches it, and its length limits the radius.
-struct Arm {
-    Spot along{1, 0};
-    double reach = 12;  // mm
-};
-/// That towards the body's first corner, then the others.
-std::vector<Arm> arms_of(const Layout& layout, BodyIndex body, Spot pivot) {
-    std::vector<Arm> arms;
-    const auto is_new = [&](Spot along) {
-        constexpr double nearly = 0.95;
-        return std::none_of(arms.begin(), arms.end(), [&](const Arm& arm) { return dot(arm.along, along) > nearly; });
-    };
-    for (const PointIndex corner : layout.subject.corners[at_index(body)])
-        if (const Spot out = layout.spot(corner) - pivot; length(out) > 1 && is_new(unit(out)))
-            arms.push_back({unit(out), length(out)});
-    if (const auto& wheel = layout.mechanism.body(body).circle; wheel && arms.empty())
-        arms.push_back({{1, 0}, wheel->radius.to_double() / layout.scale()});
-    if (arms.empty()) arms.emplace_back();
-    return arms;
-}
-
-/// What is drawn besides the bodies: what an arrow must not touch, and thin lines, which it may cross, but no name.
-struct Obstacles {
-    Clutter heavy, thin;
-};
-Obstacles obstacles_in(const Sketch& sketch) {
-    Obstacles obstacles;
-    obstacles.heavy.add(sketch.ground);
-    obstacles.heavy.add(sketch.arrows);
-    obstacles.thin.add(sketch.construction);
-    obstacles.thin.add(sketch.centres);
-    for (const Bar& name : sketch.names_of_arcs) obstacles.thin.add(name.from, name.to);
-    return obstacles;
-}
-
-/// The name of an arc: half its width and height, and its distance from the arc, mm.
-struct Lettering {
-    Spot half;
-    double clearance;
-};
-constexpr double clear_of_arc = 1.5;
-Lettering lettering_of(const Sketch& sketch, const RichText& text) {
-    const ShapedLine shaped = sketch.context.fonts.shape(text, sketch.theme.label);
-    return {{0.5 * shaped.width, 0.5 * (shaped.ascent + shaped.descent)}, clear_of_arc};
-}
-
-/// The fraction of a box about `centre` that something covers.
-double covered(const Layout& layout, const Obstacles& obstacles, Spot centre, Spot half) {
-    constexpr int pieces = 8;
-    double sum = 0;
-    for (int i = 0; i <= pieces; ++i) {
-        const Spot at = centre + Spot{(2.0 * i / pieces - 1) * half.x, 0};
-        sum += layout.crowding(at, {1e9, 1e9}) > 0 ? 1.0 / (pieces + 1) : 0;
-    }
-    for (const double row : {-0.8, 0.0, 0.8}) {
-        const Spot from = centre + Spot{-half.x, row * half.y}, to = centre + Spot{half.x, row * half.y};
-        sum += obstacles.heavy.along(from, to) + obstacles.thin.along(from, to);
-    }
-    return sum;
-}
-
-/// The best place of a name beside a spot of an arc, with its price: none where it is free.
-Cheapest<Spot> room_for(const Layout& layout, const Obstacles& obstacles, Spot at, Spot outward,
-                        const Lettering& name) {
-    Cheapest<Spot> best;
-    constexpr double aside = 0.7, per_direction = 0.2, per_cover = 4;
-    double price = 0;
-    for (const double turn : {0.0, aside, -aside, pi_number}) {
-        const Spot u = polar_spot(angle_of(outward) + turn);
-        const double to_side = 1 / std::max(std::abs(u.x), std::abs(u.y));
-        const Spot centre = at + name.clearance * u + to_side * Spot{u.x * name.half.x, u.y * name.half.y};
-        best.offer(price + per_cover * covered(layout, obstacles, centre, name.half), centre);
-        if (best.price <= price + per_direction) break;
-        price += per_direction;
-    }
-    return best;
-}
-
-struct PlacedArc {
-    Arc arc;
-    Spot name;  // the middle of its name, where there is room for it
-};
-
-/// An arc that begins or ends at an arm, or further round if that collides with something or leaves its name no room.
-PlacedArc free_arc(const Layout& layout, const Turning& turning, const Obstacles& obstacles, const Lettering& name) {
-    // On paper y points down, so counter-clockwise is the negative sense.
-    const double turn = turning.counter_clockwise ? -1 : 1;
-    Cheapest<PlacedArc> best;
-    double of_arm = 0;
-    for (const Arm& arm : arms_of(layout, turning.body, turning.pivot)) {
-        const double wanted = 0.4 * arm.reach;
-        for (const double radius : {std::clamp(wanted, 8.0, 14.0), std::clamp(0.25 * arm.reach, 6.0, 8.0), 11.0}) {
-            const double by = turn * std::min(1.05, 11.0 / radius), gap = 2.6 / radius;
-            for (const bool ahead : {true, false}) {
-                // What drives has its arc ahead of its body, where this turns to.
-                if (!ahead && turning.statement == none) break;
-                for (int step = 0; step < (of_arm > 0 ? 3 : 9); ++step) {
-                    const double away = gap + 0.6 * step;
-                    const double from = angle_of(arm.along) + (ahead ? turn * away : -turn * away - by);
-                    // Prices only increase, so the loop may stop early.
-                    double price = of_arm + 0.35 * step + 0.1 * std::abs(radius - wanted) + (ahead ? 0 : 0.1);
-                    for (int i = 0; i <= 6 && price < best.price; ++i)
-                        price += 2.5 *
-                                 layout.crowding(turning.pivot + radius * polar_spot(from + by * i / 6), turning.pivot);
-                    if (price < best.price) price += 6 * obstacles.heavy.along_arc(turning.pivot, radius, from, by);
-                    if (price < best.price) price += obstacles.thin.along_arc(turning.pivot, radius, from, by);
-                    if (price >= best.price) continue;
-                    const Arc arc{turning.pivot, radius, from, from + by};
-                    const Spot outward = polar_spot(from + 0.5 * by);
-                    const auto room = room_for(layout, obstacles, turning.pivot + radius * outward, outward, name);
-                    best.offer(price + room.price, {arc, room.choice});
-                }
-            }
-        }
-        of_arm += 0.2;
-    }
-    return best.choice;
-}
-
-/// An arc with an arrowhead and its name, which later ones avoid.
-void draw_turning(Sketch& sketch, const Turning& turning, Obstacles& obstacles) {
-    const Lettering name = lettering_of(sketch, turning.text);
-    const auto [arc, at] = free_arc(sketch, turning, obstacles, name);
+/// An arc with an arrowhead and its name, which later ones avoid. Returns whether its name has room beside it.
+bool draw_turning(Sketch& sketch, const Turning& turning, FreePaper& paper) {
+    const auto [arc, name] = free_arc(sketch, paper, turning);
     const Colour colour = sketch.theme.colour_of(turning.body).letter;
     const std::size_t first = sketch.arrows.size();
     draw_arc_arrow(sketch.arrows, arc.centre, arc.radius, arc.from, arc.to, sketch.theme.outline, colour);
     belong(sketch.arrows, first, turning.statement);
     const Spot middle = arc.at(arc.from + 0.5 * (arc.to - arc.from));
-    sketch.arcs_of_drivers.push_back({turning.pivot, middle});
-    sketch.add_label(turning.text, colour, middle, clear_of_arc, turning.statement);
-    obstacles.heavy.add_arc(arc.centre, arc.radius, arc.from, arc.to - arc.from);
-    sketch.names_of_arcs.push_back({at - Spot{name.half.x, 0}, at + Spot{name.half.x, 0}});
-    obstacles.thin.add(sketch.names_of_arcs.back().from, sketch.names_of_arcs.back().to);
+    sketch.add_label(turning.text, colour, middle, clear_of_arc, turning.statement).body = turning.body;
+    paper.take(arc);
+    if (name) paper.take(*name);
+    return name.has_value();
 }
 
 std::optional<Spot> pivot_of_driver(const Layout& layout, const SpinDriver& spin) {
@@ -207,7 +77,7 @@ RichText found_value(const Sketch& sketch, const Symbol& symbol, double value, c
 /// Which property of a driver is drawn: its rate or the derivative of it.
 enum class Given { rate, acceleration };
 
-void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, Obstacles& obstacles) {
+void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, FreePaper& paper) {
     const bool is_rate = given == Given::rate;
     const double value = (is_rate ? spin.omega : spin.alpha).to_double();
     const std::optional<Spot> pivot = pivot_of_driver(sketch, spin);
@@ -216,7 +86,7 @@ void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, Obstacles&
     if (spin.relative_to != frame) symbol.about += sketch.mechanism.body(spin.relative_to).name;
     const RichText text =
         given_value(sketch, symbol, value, is_rate ? sketch.mechanism.units.angular_velocity : per_second_squared());
-    draw_turning(sketch, {spin.body, *pivot, value > 0, text, none}, obstacles);
+    draw_turning(sketch, {spin.body, *pivot, value > 0, text, none}, paper);
 }
 
 /// The speed of a driven slide or point, or its acceleration.
@@ -233,33 +103,42 @@ Straight straight(const Sketch& sketch, Given given, Spot along, const auto& dri
     return {along, driver.acceleration.to_double(), std::move(symbol), units.acceleration, body};
 }
 
-constexpr double half_of_straight = 7;  // mm
+constexpr double half_of_straight = 7;     // mm
+constexpr double clear_of_straight = 1.5;  // between it and its name, mm
 
-/// Draws it as an arrow about `start`.
-void draw_straight(Sketch& sketch, Spot start, const Straight& arrow, Obstacles& obstacles) {
-    const Spot half = half_of_straight * (arrow.value < 0 ? -1.0 * arrow.along : arrow.along);
-    const Colour colour = sketch.theme.colour_of(arrow.body).letter;
-    draw_arrow(sketch.arrows, start - half, start + half, sketch.theme.outline, colour);
-    obstacles.heavy.add(start - half, start + half);
-    sketch.add_label(given_value(sketch, arrow.symbol, arrow.value, arrow.unit), colour, start, 1.5).toward =
-        start + half;
+/// Whether the name has room beside an arrow, at its middle or nearer to an end.
+bool has_room_beside(const FreePaper& paper, const Bar& arrow, InkBox name) {
+    const Spot along = direction(arrow), across = turned(along);
+    const double reach = std::abs(across.x) * name.half.x + std::abs(across.y) * name.half.y;
+    for (const double at : {0.0, 0.3, -0.3, 0.6, -0.6})
+        for (const double side : {1.0, -1.0}) {
+            name.centre = middle(arrow) + at * half_of_straight * along + side * (clear_of_straight + reach) * across;
+            if (paper.has_room_for(name)) return true;
+        }
+    return false;
 }
 
-/// The place with the fewest collisions for an arrow; each candidate has a price of its own.
-Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow,
-                const std::vector<std::pair<Spot, double>>& places, const Obstacles& obstacles) {
-    Cheapest<Spot> best;
-    for (auto [aside, price] : places) {
-        const Spot half = half_of_straight * arrow.along, start = at + aside;
-        for (int i = -3; i <= 3; ++i) price += sketch.crowding(start + (i / 3.0) * half, at);
-        price += 6 * obstacles.heavy.along(start - half, start + half);
-        best.offer(price, start);
+/// Draws the arrow about the cheapest of some places; each has a price of its own, in units of a leader's.
+void draw_straight(Sketch& sketch, const Straight& arrow, const std::vector<std::pair<Spot, double>>& places,
+                   FreePaper& paper) {
+    const RichText text = given_value(sketch, arrow.symbol, arrow.value, arrow.unit);
+    const InkBox name = box_of_name(sketch, text);
+    const Spot half = half_of_straight * (arrow.value < 0 ? -1.0 * arrow.along : arrow.along);
+    Cheapest<Bar> best;
+    for (const auto& [at, own] : places) {
+        const Bar bar{at - half, at + half};
+        const double price = own + paper.price_of(bar, best.price - own);
+        if (price < best.price) best.offer(price + (has_room_beside(paper, bar, name) ? 0 : without_name), bar);
     }
-    return best.choice;
+    const auto& [tail, tip] = best.choice;
+    const Colour colour = sketch.theme.colour_of(arrow.body).letter;
+    draw_arrow(sketch.arrows, tail, tip, sketch.theme.outline, colour);
+    paper.take(best.choice);
+    sketch.add_label(text, colour, middle(best.choice), clear_of_straight).toward = tip;
 }
 
 /// Beside the slide, along it, where links leave room; the acceleration rather on the other side or further out.
-void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Obstacles& obstacles) {
+void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, FreePaper& paper) {
     const Joint& joint = sketch.mechanism.joint(slide.joint);
     const Spot along = sketch.guide(joint), at = sketch.spot(joint);
     const Symbol symbol = name_of_sliding(sketch.subject.solution, slide.joint, given != Given::rate);
@@ -267,38 +146,46 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Obstacle
     if (arrow.value == 0) return;
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
+    if (given == Given::acceleration) side = -1.0 * side;
+    constexpr double other_side = 0.2, per_millimetre = 0.06;
     const double off = sketch.measures.slider_side + 5.0;
-    std::vector<std::pair<Spot, double>> places{
-        {-off * side, 0}, {(off + 6) * side, 0.3}, {-(off + 6) * side, 0.6}, {(off + 12) * side, 0.9}};
-    if (given == Given::rate) {
-        constexpr double other_side = 0.2, per_millimetre = 0.04;
-        places = {{off * side, 0}, {-off * side, other_side}};
-        for (const double aside : {8.0, -8.0, 14.0, -14.0})
+    std::vector<std::pair<Spot, double>> places;
+    for (const double out : {0.0, 6.0})
+        for (const double aside : {0.0, 8.0, -8.0, 14.0, -14.0, 20.0, -20.0})
             for (const double on : {1.0, -1.0})
-                places.emplace_back(on * off * side + aside * along,
-                                    per_millimetre * std::abs(aside) + (on < 0 ? other_side : 0));
-    }
-    draw_straight(sketch, free_place(sketch, at, arrow, places, obstacles), arrow, obstacles);
+                places.emplace_back(at + on * (off + out) * side + aside * along,
+                                    per_millimetre * (out + std::abs(aside)) + (on < 0 ? other_side : 0));
+    draw_straight(sketch, arrow, places, paper);
 }
 
 /// Ahead of the point, or beside it if a body or a line lies ahead.
-void draw_driver(Sketch& sketch, const PointDriver& point, Given given, Obstacles& obstacles) {
+void draw_driver(Sketch& sketch, const PointDriver& point, Given given, FreePaper& paper) {
     const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)),
                at = sketch.spot(point.at);
     const Symbol::Letter letter = given == Given::rate ? Symbol::Letter::v : Symbol::Letter::a;
     const Straight arrow =
         straight(sketch, given, along, point, point.body, along_drive(letter, point, sketch.mechanism));
     if (arrow.value == 0) return;
+    constexpr double per_millimetre = 0.1;
     std::vector<std::pair<Spot, double>> places;
     for (const Spot aside :
          {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)})
-        places.emplace_back(aside, 0.1 * length(aside - 11.0 * along));
-    draw_straight(sketch, free_place(sketch, at, arrow, places, obstacles), arrow, obstacles);
+        places.emplace_back(at + aside, per_millimetre * length(aside - 11.0 * along));
+    draw_straight(sketch, arrow, places, paper);
 }
 
-void draw_all_drivers(Sketch& sketch, Given given, Obstacles& obstacles) {
-    for (const Driver& driver : sketch.mechanism.drivers)
-        std::visit([&](const auto& one) { draw_driver(sketch, one, given, obstacles); }, driver);
+/// Whether a driver moves nothing here, such as one at a dead point.
+bool is_undrivable(const Mobility& mobility, std::size_t driver) {
+    const auto& idle = mobility.idle_drivers;
+    return mobility.driven < mobility.effective &&
+           std::find(idle.begin(), idle.end(), static_cast<int>(driver)) != idle.end();
+}
+
+void draw_all_drivers(Sketch& sketch, Given given, bool undrivable, FreePaper& paper) {
+    const std::vector<Driver>& drivers = sketch.mechanism.drivers;
+    for (std::size_t i = 0; i < drivers.size(); ++i)
+        if (undrivable || !is_undrivable(sketch.subject.solution.mobility, i))
+            std::visit([&](const auto& one) { draw_driver(sketch, one, given, paper); }, drivers[i]);
 }
 
 }  // namespace
@@ -318,9 +205,13 @@ StatementIndex statement_of_turning(const Solution& solution, const Quantity& so
     return found == statements.end() ? none : StatementIndex(found - statements.begin());
 }
 
-void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
+namespace {
+
+/// Computed ω or α of the bodies as arcs, each with the statement that determines it, until more than `most` of the
+/// names have no room. Returns how many have none.
+std::size_t draw_turnings(Sketch& sketch, Symbol::Letter letter, FreePaper& paper, std::size_t most) {
+    std::size_t without_room = 0;
     const Solution& solution = sketch.subject.solution;
-    Obstacles obstacles = obstacles_in(sketch);
     for (const BodyIndex body :
          indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
         const BodyMotion& motion = solution.bodies[at_index(body)];
@@ -332,18 +223,23 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         if (statement == none) continue;
         const Unit unit = unit_of(result_kind(turning).unit, sketch.mechanism.units);
         const RichText text = found_value(sketch, symbol, value->to_double(), unit);
-        draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, obstacles);
+        const Turning arc{body, pivot_of(sketch, body), value->sign() > 0, text, statement};
+        if (!draw_turning(sketch, arc, paper) && ++without_room > most) break;
     }
+    return without_room;
 }
 
-void draw_drivers(Sketch& sketch) {
-    Obstacles obstacles = obstacles_in(sketch);
-    draw_all_drivers(sketch, Given::rate, obstacles);
-}
+}  // namespace
 
-void draw_accelerations_of_drivers(Sketch& sketch) {
-    Obstacles obstacles = obstacles_in(sketch);
-    draw_all_drivers(sketch, Given::acceleration, obstacles);
+bool draw_arrows_of_motion(Sketch& sketch, const MotionWish& wish) {
+    FreePaper& paper = paper_of(sketch);
+    if (wish.drivers) draw_all_drivers(sketch, Given::rate, wish.undrivable, paper);
+    if (wish.accelerations_of_drivers) draw_all_drivers(sketch, Given::acceleration, wish.undrivable, paper);
+    std::size_t without_room = 0;
+    for (const Symbol::Letter letter : wish.found)
+        if (without_room <= wish.most_without_room)
+            without_room += draw_turnings(sketch, letter, paper, wish.most_without_room - without_room);
+    return without_room <= wish.most_without_room;
 }
 
 }  // namespace kinegraph::render::drawing

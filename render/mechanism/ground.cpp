@@ -41,8 +41,29 @@ void hatch_arc(Sketch& sketch, const Arc& along, bool outwards) {
 
 namespace {
 
-/// Direction of the triangle of a fixed pin: down if possible, then sideways, then up; away from links and from a
-/// crank's arrow.
+/// The share of the wall of a fixed pin and of its hatching that moving bodies pass over. Those that leave the pin are
+/// judged by their directions.
+double passed_over(const Sketch& sketch, Spot at, Spot down) {
+    constexpr int pieces = 4;  // on each side
+    const Measures& measures = sketch.measures;
+    const Spot across = (measures.base_half / pieces) * turned(down);
+    const double clear = sketch.theme.link / 2 + 0.4;
+    int passed = 0;
+    for (const double depth : {measures.triangle_height, measures.triangle_height + measures.hatch_depth})
+        for (int i = -pieces; i <= pieces; ++i) {
+            const Spot spot = at + depth * down + i * across;
+            const auto passes = [&](const Bar& stroke) { return distance(spot, stroke) < clear; };
+            for (const BodyIndex body : sketch.mechanism.moving_bodies()) {
+                const std::vector<Bar>& strokes = sketch.shape(body).strokes;
+                if (std::none_of(strokes.begin(), strokes.end(), passes)) continue;
+                ++passed;
+                break;
+            }
+        }
+    return passed / (2.0 * (2 * pieces + 1));
+}
+
+/// Direction of the triangle of a fixed pin: down if possible, then sideways, then up; away from links.
 Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     const Spot at = sketch.spot(point);
     const double reach = sketch.measures.triangle_height + sketch.measures.hatch_depth + 2;
@@ -57,10 +78,9 @@ Spot side_of_ground(const Sketch& sketch, PointIndex point) {
         {{Spot{0, 1}, 0.0}, {Spot{1, 0}, 0.35}, {Spot{-1, 0}, 0.35}, {Spot{0, -1}, 0.6}}};
     Cheapest<Spot> best;
     for (const auto& [down, bias] : choices) {
-        double price = bias;
+        constexpr double under_bodies = 4;  // a wall that half lies under a bar costs more than any other direction
+        double price = bias + under_bodies * passed_over(sketch, at, down);
         for (const Spot link : links) price += 2.5 * nearness(link, down);
-        for (const Bar& arrow : sketch.arcs_of_drivers)
-            if (coincide(arrow.from, at)) price += nearness(direction(arrow), down);
         best.offer(price, down);
     }
     return best.choice;

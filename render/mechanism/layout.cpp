@@ -61,6 +61,27 @@ std::vector<Spot> Layout::leaving(PointIndex point) const {
     return directions;
 }
 
+std::vector<BodyStroke> Layout::strokes_of_bodies() const {
+    constexpr int chords = 16;
+    std::vector<BodyStroke> strokes;
+    for (const BodyIndex body : mechanism.moving_bodies()) {
+        for (const Bar& stroke : shape(body).strokes) strokes.push_back({body, stroke.from, stroke.to});
+        for (const Flat& flat : shape(body).flats) strokes.push_back({body, flat.bar.from, flat.bar.to});
+        for (const Rim& rim : shape(body).rims) {
+            const Arc round{rim.centre, rim.radius, 0, 2 * pi_number};
+            for (int i = 0; i < chords && rim.form != Rim::Form::arc; ++i)
+                strokes.push_back({body, round.at(i * round.to / chords), round.at((i + 1) * round.to / chords)});
+        }
+        for (const Joint& joint : mechanism.joints) {
+            if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;
+            const std::vector<Spot> corners = corners_of_block(joint);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                strokes.push_back({body, corners[i], corners[(i + 1) % corners.size()]});
+        }
+    }
+    return strokes;
+}
+
 double Layout::crowding(Spot spot, Spot besides) const {
     double crowd = 0;
     for (const Shape& shape : shapes_) {

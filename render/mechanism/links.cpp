@@ -162,6 +162,13 @@ bool is_on_other_wheel(const Layout& layout, BodyIndex body, Spot at) {
     return false;
 }
 
+/// Whether a leader that ends there would seem to name a contact or a pin instead.
+bool is_at_a_joint(const Layout& layout, Spot at) {
+    constexpr double near = 4;  // mm
+    return std::any_of(layout.mechanism.joints.begin(), layout.mechanism.joints.end(),
+                       [&](const Joint& joint) { return length(layout.spot(joint) - at) < near; });
+}
+
 /// Beside the rim, preferably above on the right; else further round, or on the wheel's own tint.
 Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double radius) {
     constexpr double off = 1.8, least_within = 9, foreign = 3;
@@ -169,7 +176,7 @@ Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double r
     Cheapest<Stand> best;
     for (const int step : {0, 1, -1, 2, -2, 3, -3, 4}) {
         const Spot out = polar_spot((step - 1) * pi_number / 4), on_rim = centre + radius * out;
-        const double price = 0.1 * std::abs(step);
+        const double price = 0.1 * std::abs(step) + (is_at_a_joint(layout, on_rim) ? 1 : 0);
         const Spot beside = on_rim + (off + balloon_radius) * out;
         // The first place needs no price for its surroundings: the placement of labels handles these.
         best.offer(price + price_of(beside) + (step == 0 ? 0 : layout.crowding(beside, centre)),
@@ -183,7 +190,7 @@ Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double r
 
 /// Beside the longest line, at its middle unless another wheel covers both sides there.
 Stand stand_at_line(const Layout& layout, BodyIndex body, const Bar& longest) {
-    constexpr double off = 2.7;
+    constexpr double off = 2.1;
     const Spot across = (off + balloon_radius) * turned(direction(longest));
     Cheapest<Stand> best;
     for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
@@ -234,6 +241,7 @@ void draw_balloon(Sketch& sketch, BodyIndex body) {
                          .anchor = stand.anchor,
                          .toward = stand.toward,
                          .clearance = stand.clearance,
+                         .body = body,
                          .dashes = theme.body(body).dashes};
     if (sketch.context.fonts.shape(request.text, request.size).width < 3.7) {
         request.balloon = balloon_radius;

@@ -2,12 +2,18 @@
 // labels.
 #include "render/mechanism/sketch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include "render/page/free_room.hpp"
 
 namespace kinegraph::render::drawing {
+
+Spot room_for_labels(Spot room) {
+    constexpr double scale_bar = 8;
+    return {room.x, room.y - scale_bar};
+}
 
 GroupId Sketch::id(std::string_view kind, std::string_view name) {
     std::string element = element_of(kind, name);
@@ -58,6 +64,23 @@ Figure Sketch::finish(Figure blank, std::string unit_name) {
     return figure;
 }
 
+Box Sketch::with_more_on_one_side(const Box& own, const std::vector<LabelRequest>& requests, Spot within) const {
+    const double spare = within.x - own.width();
+    if (spare <= 0) return own;
+    constexpr double near_edge = 0.25;  // of the width
+    double left = 0, right = 0;
+    for (const LabelRequest& request : requests) {
+        if (request.toward) continue;
+        const double width = context.fonts.shape(request.text, request.size).width + request.clearance;
+        if (request.anchor.x < own.min.x + near_edge * own.width())
+            left = std::max(left, own.min.x - (request.anchor.x - width));
+        if (request.anchor.x > own.max.x - near_edge * own.width())
+            right = std::max(right, request.anchor.x + width - own.max.x);
+    }
+    const double more = std::clamp(left - right, -spare, spare);
+    return {{own.min.x - std::max(more, 0.0), own.min.y}, {own.max.x + std::max(-more, 0.0), own.max.y}};
+}
+
 void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict) const {
     // Already too large: labels are not placed, only requested.
     if (!fixed && (figure.box.width() > room.x || figure.box.height() > room.y)) return;
@@ -69,9 +92,16 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
     figure.marks.emplace_back(GroupEnd{});
     const Box size_of_bar = box_of(bar);
     const Spot bar_size{size_of_bar.width(), size_of_bar.height()};
-    constexpr double above_bar = 3, under_all = 8;
-    place_labels(figure, context.fonts, Spot{room.x, room.y - under_all}, strict ? Labelling::strict : Labelling::free,
+    constexpr double above_bar = 3;
+    const Spot of_names = space.value_or(room_for_labels(room));
+    const Box own = figure.box;
+    if (space) figure.box = with_more_on_one_side(own, figure.labels, of_names);
+    place_labels(figure, context.fonts, of_names, strict ? Labelling::strict : Labelling::free,
                  context.theme.secondary);
+    if (space) {
+        figure.box = box_of(figure.marks);
+        figure.box.include(own);
+    }
     // The scale bar stands along a free edge of the figure, or else below it.
     const std::optional<Spot> place = free_place(figure.marks, figure.box, bar_size);
     const Spot corner = place.value_or(Spot{figure.box.min.x, figure.box.max.y + above_bar});

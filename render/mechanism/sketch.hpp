@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,11 @@ struct Layers {
     std::vector<LabelRequest> labels;
 };
 
+/// What the scale bar below leaves of the room of a figure.
+Spot room_for_labels(Spot room);
+
+class FreePaper;
+
 class Sketch : public Layout, public Layers {
 public:
     /// `figure`: in whose name its elements have their ids; empty: in that of the mechanism, as on any figure.
@@ -35,8 +41,8 @@ public:
 
     const DrawingContext& context;
     std::set<std::pair<BodyIndex, BodyIndex>> poles;  ///< absolute centres drawn by draw_pole()
-    std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow; the ground symbol turns away from these
-    std::vector<Bar> names_of_arcs;    ///< where the names of arcs of ω and α have room, which later arcs avoid
+    std::shared_ptr<FreePaper> paper{};               ///< see paper_of()
+    std::optional<Spot> space{};  ///< width and height that marks and labels should not exceed, mm; none: unlimited
 
     /// An id that is unique within the figure.
     GroupId id(std::string_view kind, std::string_view name);
@@ -59,6 +65,10 @@ public:
     /// to the origin.
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit,
                bool strict = false) const;
+
+    /// The box of a drawing, larger on the side where wider names stand out of it than on the other: room is left for
+    /// names on both sides alike.
+    Box with_more_on_one_side(const Box& own, const std::vector<LabelRequest>& requests, Spot within) const;
 
 private:
     std::string figure_;
@@ -86,12 +96,17 @@ std::optional<RichText> name_of_point_at(const Sketch& sketch, Spot at);
 RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to, double millimetres);
 /// The compass arcs that determine the points.
 void draw_compass(Sketch& sketch);
-/// ω of a driven body as an arc about its pivot; the speed of a driven slide or point as an arrow beside it.
-void draw_drivers(Sketch& sketch);
-/// Their given accelerations, as separate arcs and arrows.
-void draw_accelerations_of_drivers(Sketch& sketch);
-/// Computed ω or α of the bodies as arcs, each with the statement that determines it.
-void draw_turnings(Sketch& sketch, Symbol::Letter letter);
+/// Which arrows of motion are drawn.
+struct MotionWish {
+    bool drivers = true;                    ///< ω of a driven body as an arc, the speed of a driven slide or point
+    bool undrivable = false;                ///< also of drivers that move nothing here, as data of a problem
+    bool accelerations_of_drivers = false;  ///< as far as they are given, as separate arcs and arrows
+    std::size_t most_without_room = most_names;  ///< names of what is found that may stand away from their arcs
+    std::vector<Symbol::Letter> found{};  ///< computed ω or α of the bodies, each with the statement that finds it
+};
+/// Draws them where they and their names meet nothing that is drawn so far. False, and not all are
+/// drawn, if too many names have no such place.
+bool draw_arrows_of_motion(Sketch& sketch, const MotionWish& wish);
 /// The statement that determines the angular velocity or acceleration of a body; none if there is no such statement.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
 /// Instant centres and the lines that determine them. Returns the names of centres that were left out because they
@@ -116,6 +131,8 @@ void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
 /// Adds dimensions to the completed figure of the sketch, where they collide with nothing (its labels included) and
 /// stay within the room.
 void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish = {});
+/// Takes the dimensions of a finished figure of the same scale, so that what is drawn from now on avoids them.
+void keep_dimensions(Sketch& sketch, const Figure& figure);
 /// Ids of the dimensions of a finished figure.
 std::set<GroupId> dimensions_of(const Figure& figure);
 /// Ids of the dimensions whose text is crossed by a foreign line, such as the leader of a label placed later. Of two

@@ -27,6 +27,14 @@ void Figure::move(double dx, double dy) {
         shift(label.anchor);
         if (label.toward) shift(*label.toward);
     }
+    for (DrawnLeader& leader : leader_lines) {
+        shift(leader.from);
+        shift(leader.to);
+    }
+    for (BodyStroke& stroke : strokes) {
+        shift(stroke.from);
+        shift(stroke.to);
+    }
     for (DrawnAxis& axis : axes) {
         shift(axis.tail);
         shift(axis.tip);

@@ -33,6 +33,7 @@ struct LabelRequest {
     double clearance = 2.2;     ///< distance from the anchor to the nearest ink, mm
     bool along = false;         ///< turned to run along the line, as direction marks are
     double balloon = 0;         ///< radius of a circle round the text (body numbers), mm; 0: none
+    BodyIndex body = none;      ///< whose number, ω or α it is: its leader may cross that body
     StatementIndex statement =
         none;  ///< the statement of the solution that draws the named object; none: present from the beginning
     std::vector<std::string> names{};       ///< see TextMark::names
@@ -44,6 +45,19 @@ struct LabelRequest {
 
     /// Of another thing at the same place: "B ≡ P_13".
     void add_name(const RichText& other);
+};
+
+/// The leader of a name, from the named object.
+struct DrawnLeader {
+    Spot from, to;
+    BodyIndex body = none;   ///< whose ω or α is named
+    bool is_astray = false;  ///< it crosses another body or passes another point; see Figure::strokes
+};
+
+/// A stroke of a body of a mechanism.
+struct BodyStroke {
+    BodyIndex body = none;
+    Spot from, to;
 };
 
 /// The axis of a vector that is drawn to scale, on paper.
@@ -93,11 +107,13 @@ struct Figure {
     std::optional<double> by_load;     ///< the power of its load with which its lengths grow; empty: not all of them do
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< empty after place_labels has placed them
+    std::vector<BodyStroke> strokes;   ///< of the bodies, one body after the other; labels keep clear of other bodies
     std::vector<RichText> unnamed;     ///< names left out: with all of them none could be read
     std::size_t leaders = 0;           ///< number of names with a leader
-    bool has_scale = true;             ///< false for a diagram, and for a polygon whose vectors are all zero
-    bool has_table = false;            ///< it contains a table of its vectors or of their powers
-    bool has_key = false;              ///< a key below it lists the names that found no place
+    std::vector<DrawnLeader> leader_lines;  ///< the same, one by one
+    bool has_scale = true;                  ///< false for a diagram, and for a polygon whose vectors are all zero
+    bool has_table = false;                 ///< it contains a table of its vectors or of their powers
+    bool has_key = false;                   ///< a key below it lists the names that found no place
     bool lacks_details = false;  ///< some vectors are too short to read, and there was no room for an enlarged detail
 
     // Filled in by the drawing functions.

@@ -127,7 +127,8 @@ double Refuges::look_at(std::size_t label, Spot centre, double step, WayOut way_
     candidate.ringed = request.balloon > 0;
     candidate.add_leader(setting_, label);
     if (leads_over_another(label, candidate.thread) || setting_.ground.covers_text(candidate.thread)) return 0;
-    candidate.price += crossings_of(candidate, found ? found->price - least : std::numeric_limits<double>::infinity());
+    candidate.price +=
+        crossings_of(label, candidate, found ? found->price - least : std::numeric_limits<double>::infinity());
     if (!found || candidate.price < found->price) found = candidate;
     return 0;
 }
@@ -139,7 +140,7 @@ bool Refuges::leads_over_another(std::size_t label, const InkBox& thread) const 
 }
 
 /// The price of what a leader crosses, counted until it exceeds `enough`.
-double Refuges::crossings_of(const Candidate& candidate, double enough) const {
+double Refuges::crossings_of(std::size_t label, const Candidate& candidate, double enough) const {
     double price = 0;
     const auto count = [&](double each, const auto& crossings) {
         constexpr double most = 1e6;
@@ -148,6 +149,7 @@ double Refuges::crossings_of(const Candidate& candidate, double enough) const {
     };
     const Spot from = candidate.leader_from, to = candidate.leader_to;
     count(unruly_price, [&](int most) { return threads_.crossings(from, to, most); });
+    price += setting_.bodies.led_astray(label, from, to);
     count(crossing_price, [&](int most) { return setting_.ground.crossed(from, to, most); });
     return price;
 }

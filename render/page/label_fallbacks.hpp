@@ -30,7 +30,7 @@ private:
     double look_at(std::size_t label, Spot centre, double step, WayOut way_out, std::optional<Candidate>& found);
     /// Whether the leader of a label would come too close to another label.
     bool leads_over_another(std::size_t label, const InkBox& thread) const;
-    double crossings_of(const Candidate& candidate, double enough) const;
+    double crossings_of(std::size_t label, const Candidate& candidate, double enough) const;
 
     const LabelSetting& setting_;
     const std::vector<Lettered>& letters_;

@@ -311,7 +311,10 @@ void LabelPlaces::look_about(Candidate& candidate) const {
     if (!candidate.free) return;
     candidate.price += request_.toward ? near_other_lines(candidate) : near_other_points(candidate);
     if (candidate.leader)
-        candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to);
+        candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to) +
+                           setting_.bodies.led_astray(label_, candidate.leader_from, candidate.leader_to);
+    else
+        candidate.price += setting_.bodies.near_another(request_, candidate.box);
 }
 
 /// Whether the number of a body stands, even partly, on the tint of another body, to which it would seem to belong.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/page/figure.hpp"
+#include "render/page/label_bodies.hpp"
 #include "render/page/label_boxes.hpp"
 #include "render/page/label_ground.hpp"
 #include "render/page/label_lines.hpp"
@@ -22,6 +23,7 @@ struct LabelSetting {
     const std::vector<LabelRequest>& requests;
     const Ground& ground;
     LeaderEnds ends;
+    Bodies bodies;
     Box box;               ///< of the figure
     Spot spare{1e9, 1e9};  ///< how far a label may extend beyond it on each side, mm
     bool strict = false;   ///< a label finds no place rather than leave the room

@@ -16,9 +16,13 @@ constexpr double least_gain = 1e-6;   // least improvement for a move
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& box, const Ground& ground,
-                        const std::optional<Spot>& room, bool strict) {
-    LabelSetting setting{
-        .requests = requests, .ground = ground, .ends = LeaderEnds(requests), .box = box, .strict = strict};
+                        const std::vector<BodyStroke>& strokes, const std::optional<Spot>& room, bool strict) {
+    LabelSetting setting{.requests = requests,
+                         .ground = ground,
+                         .ends = LeaderEnds(requests),
+                         .bodies = Bodies(requests, strokes),
+                         .box = box,
+                         .strict = strict};
     if (room) setting.spare = {std::max(0.0, room->x - box.width()) / 2, std::max(0.0, room->y - box.height()) / 2};
     return setting;
 }
@@ -64,8 +68,9 @@ bool meet(const Candidate& a, const Candidate& b) {
 }  // namespace
 
 LabelSearch::LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts,
-                         const Ground& ground, const std::optional<Spot>& room, bool strict)
-    : setting_(setting_of(requests, box, ground, room, strict)), chosen_(requests.size()) {
+                         const Ground& ground, const std::vector<BodyStroke>& strokes, const std::optional<Spot>& room,
+                         bool strict)
+    : setting_(setting_of(requests, box, ground, strokes, room, strict)), chosen_(requests.size()) {
     const double measure = room ? std::max(0.5 * room->x, least_measure) : 1e300;
     letters_.reserve(requests.size()), places_.reserve(requests.size());
     for (const LabelRequest& request : requests) letters_.emplace_back(request, fonts, measure);

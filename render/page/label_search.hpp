@@ -19,10 +19,10 @@ namespace kinegraph::render::lettering {
 
 class LabelSearch {
 public:
-    /// `box`: of the figure. `room`: available width and height. `strict`: no label may leave the room. Requests and
-    /// ground must outlive this object.
+    /// `box`: of the figure. `room`: available width and height. `strict`: no label may leave the room. Requests,
+    /// strokes and ground must outlive this object.
     LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
-                const std::optional<Spot>& room, bool strict);
+                const std::vector<BodyStroke>& strokes, const std::optional<Spot>& room, bool strict);
     LabelSearch(const LabelSearch&) = delete;  // the places refer to members
     LabelSearch& operator=(const LabelSearch&) = delete;
 

@@ -133,7 +133,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         std::optional<Spot> left = room;
         if (left && !key.empty())
             left->y = std::max(left->y - above_key - key.lines({}, measure).height, figure.box.height());
-        search.emplace(requests, figure.box, fonts, ground, left, labelling == Labelling::strict);
+        search.emplace(requests, figure.box, fonts, ground, figure.strokes, left, labelling == Labelling::strict);
         if (!search->place(labelling == Labelling::if_it_fits ? left : std::nullopt, key.empty())) return false;
         if (labelling == Labelling::if_all_free && search->is_crowded()) return false;
         const std::vector<std::size_t> placeless = search->placeless();
@@ -143,6 +143,14 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     // Inside the figure's group, if that is closed already.
     const bool closed = is_closed(figure);
     if (closed) figure.marks.pop_back();
+    const lettering::Bodies bodies(requests, figure.strokes);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        const Candidate& place = search->chosen(i);
+        if (!place.leader) continue;
+        const Spot from = place.leader_from, to = place.leader_to;
+        const BodyIndex body = requests[i].balloon > 0 ? none : requests[i].body;
+        figure.leader_lines.push_back({from, to, body, bodies.led_astray(i, from, to) > 0});
+    }
     for (std::size_t i = 0; i < requests.size(); ++i)
         set_label(figure, requests[i], search->chosen(i), search->take_shaped(i), ground, leaders);
     if (!key.empty()) set_key(figure, key, measure);
@@ -150,6 +158,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     for (std::size_t i = names; i < figure.labels.size(); ++i)
         figure.unnamed.push_back(std::move(figure.labels[i].text));
     figure.labels.clear();
+    figure.strokes.clear();
     return true;
 }
 

@@ -1,0 +1,51 @@
+// Free paper: the ink of a sketch drawn so far, to find out where an arrow of motion and its name collide with nothing.
+#pragma once
+
+#include <array>
+
+#include "render/mechanism/sketch.hpp"
+#include "render/page/ink_map.hpp"
+
+namespace kinegraph::render::drawing {
+
+/// The ends of the pieces of an arc, from end to end, by which it is measured.
+std::vector<Spot> spots_along(const Arc& arc);
+
+class FreePaper {
+public:
+    explicit FreePaper(const Box& area) : solid_(area), thin_(area) {}
+
+    static constexpr std::size_t layers = 8;
+    /// Takes the ink of marks added since the last time. Names may extend as far beyond what is drawn as the sketch's
+    /// room allows.
+    void take_what_is_new(const Sketch& sketch);
+
+    /// Price of an arrow there: of the pieces of it that lie near ink. Thin lines may be crossed. From `enough` on the
+    /// result is only a lower bound.
+    double price_of(const Arc& arc, double enough) const;
+    double price_of(const Bar& bar, double enough) const;
+    /// Whether a name there covers nothing and stays in the room.
+    bool has_room_for(const InkBox& name) const;
+
+    /// How far a name extends beyond what is drawn, horizontally and vertically, mm.
+    double beyond_all(const InkBox& name) const;
+    /// Whether a name covers nothing on some side of a spot.
+    bool has_room_about(Spot spot, const InkBox& name) const;
+
+    void take(const Arc& arc);
+    void take(const Bar& bar);
+    /// Reserves the place of a name.
+    void take(const InkBox& name);
+
+private:
+    double price_of(const std::vector<Spot>& along, double enough) const;
+
+    InkMap solid_, thin_;
+    std::array<std::size_t, layers> taken_{};  // marks of each layer
+    Box drawn_, room_;
+};
+
+/// That of a sketch, with all that has been drawn.
+FreePaper& paper_of(Sketch& sketch);
+
+}  // namespace kinegraph::render::drawing

@@ -1,0 +1,62 @@
+// Distances of numbers and leaders from the strokes of bodies and from named points.
+#include "render/page/label_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinegraph::render::lettering {
+
+namespace {
+
+constexpr double at_another_body = 14;  // a number that would be read as another's; a short leader is better
+constexpr double over_a_body = 8;       // a leader, besides the price of the strokes it crosses
+constexpr double past_a_point = 8;
+constexpr double own_object = 1.7;  // what lies nearer to the end of a leader belongs to what it names, mm
+constexpr double seen_apart = 0.3;  // two distances that differ by less look the same, mm
+constexpr double passes = 1.3;      // nearer to a point than this a leader seems to end there, mm
+
+double distance(Spot spot, Spot from, Spot to) {
+    const Spot along = to - from;
+    const double t = std::clamp(dot(spot - from, along) / std::max(dot(along, along), 1e-12), 0.0, 1.0);
+    return length(spot - (from + t * along));
+}
+
+bool cross_each_other(Spot from, Spot to, const BodyStroke& stroke) {
+    const auto side = [](Spot a, Spot b, Spot c) { return cross(b - a, c - a); };
+    return side(from, to, stroke.from) * side(from, to, stroke.to) < 0 &&
+           side(stroke.from, stroke.to, from) * side(stroke.from, stroke.to, to) < 0;
+}
+
+}  // namespace
+
+double Bodies::near_another(const LabelRequest& request, const InkBox& box) const {
+    if (request.body == none || request.balloon <= 0) return 0;
+    double own = 1e300, other = 1e300;
+    for (const BodyStroke& stroke : strokes_) {
+        double& least = stroke.body == request.body ? own : other;
+        least = std::min(least, distance(box.centre, stroke.from, stroke.to));
+    }
+    return other < own - seen_apart ? at_another_body : 0;
+}
+
+double Bodies::led_astray(std::size_t label, Spot from, Spot to) const {
+    const LabelRequest& request = requests_[label];
+    double price = 0;
+    BodyIndex counted = none;  // the strokes of a body follow one another
+    for (const BodyStroke& stroke : strokes_) {
+        if (stroke.body == request.body || stroke.body == counted || !cross_each_other(from, to, stroke)) continue;
+        // A point belongs to all bodies that meet there.
+        if (request.body == none && distance(from, stroke.from, stroke.to) < own_object) continue;
+        price += over_a_body;
+        counted = stroke.body;
+    }
+    for (std::size_t j = 0; j < requests_.size(); ++j) {
+        const LabelRequest& other = requests_[j];
+        if (j == label || other.toward || other.balloon > 0 || length(other.anchor - request.anchor) < own_object)
+            continue;
+        if (distance(other.anchor, from, to) < passes) price += past_a_point;
+    }
+    return price;
+}
+
+}  // namespace kinegraph::render::lettering
