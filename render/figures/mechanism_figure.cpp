@@ -218,7 +218,7 @@ struct MechanismFigure {
         constexpr double room_of_each = 900;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
         for (const std::vector<Symbol::Letter>& found : choices) {
-            const MotionWish arrows{.accelerations_of_drivers = true, .most_without_room = 1, .found = found};
+            const MotionWish arrows{.accelerations_of_drivers = true, .most_without_room = 2, .found = found};
             const std::size_t count = count_of(arrows);
             if (count == accelerations_given() || count > most ||
                 room.x * room.y < room_of_each * static_cast<double>(count))
@@ -226,7 +226,7 @@ struct MechanismFigure {
             Figure figure = drawn(trial, arrows, room, &plain);
             // The scale bar mostly finds a place beside the mechanism; if it does not, names leave it the room below.
             if (!has_room(figure)) figure = drawn(trial, arrows, room_for_labels(room), &plain);
-            if (is_as_readable(figure, plain)) return figure;
+            if (is_as_readable(figure, plain, count)) return figure;
         }
         return Figure::empty_at(any_scale);
     }
@@ -241,10 +241,12 @@ private:
         for (const DrawnLeader& leader : figure.leader_lines) most = std::max(most, length(leader.to - leader.from));
         return most;
     }
-    /// A name with a leader is hard to find, and may stand beside another arc: one more at most, and a short one.
-    bool is_as_readable(const Figure& figure, const Figure& plain) const {
-        constexpr double short_leader = 12;  // mm
-        return !figure.marks.empty() && has_room(figure) && !figure.has_key && figure.leaders <= plain.leaders + 1 &&
+    /// A name with a leader is hard to find, and may stand beside another arc: one more at most, or one more for each
+    /// four arcs, and short ones.
+    bool is_as_readable(const Figure& figure, const Figure& plain, std::size_t arcs) const {
+        constexpr double short_leader = 15;  // mm
+        return !figure.marks.empty() && has_room(figure) && !figure.has_key &&
+               figure.leaders <= plain.leaders + std::max<std::size_t>(1, (arcs + 3) / 4) &&
                astray(figure) <= astray(plain) && longest(figure) <= std::max(short_leader, longest(plain));
     }
 

@@ -73,6 +73,7 @@ std::vector<BodyStroke> Layout::strokes_of_bodies() const {
                 strokes.push_back({body, round.at(i * round.to / chords), round.at((i + 1) * round.to / chords)});
         }
         for (const Joint& joint : mechanism.joints) {
+            if (joint.connects(body)) strokes.push_back({body, spot(joint), spot(joint)});
             if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;
             const std::vector<Spot> corners = corners_of_block(joint);
             for (std::size_t i = 0; i < corners.size(); ++i)

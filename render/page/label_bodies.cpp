@@ -8,8 +8,8 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double at_another_body = 14;  // a number that would be read as another's; a short leader is better
-constexpr double over_a_body = 8;       // a leader, besides the price of the strokes it crosses
+constexpr double at_another_body = 20;  // a number that would be read as another's; a short leader is better
+constexpr double over_a_body = 14;      // a leader, besides the price of the strokes it crosses
 constexpr double past_a_point = 8;
 constexpr double own_object = 1.7;  // what lies nearer to the end of a leader belongs to what it names, mm
 constexpr double seen_apart = 0.3;  // two distances that differ by less look the same, mm
@@ -42,13 +42,16 @@ double Bodies::near_another(const LabelRequest& request, const InkBox& box) cons
 double Bodies::led_astray(std::size_t label, Spot from, Spot to) const {
     const LabelRequest& request = requests_[label];
     double price = 0;
-    BodyIndex counted = none;  // the strokes of a body follow one another
-    for (const BodyStroke& stroke : strokes_) {
-        if (stroke.body == request.body || stroke.body == counted || !cross_each_other(from, to, stroke)) continue;
-        // A point belongs to all bodies that meet there.
-        if (request.body == none && distance(from, stroke.from, stroke.to) < own_object) continue;
-        price += over_a_body;
-        counted = stroke.body;
+    for (std::size_t first = 0, end = 0; first < strokes_.size(); first = end) {
+        const BodyIndex body = strokes_[first].body;
+        bool is_own = body == request.body, is_crossed = false;
+        for (end = first; end < strokes_.size() && strokes_[end].body == body; ++end) {
+            const BodyStroke& stroke = strokes_[end];
+            is_crossed = is_crossed || cross_each_other(from, to, stroke);
+            // A point belongs to all bodies that meet there.
+            is_own = is_own || (request.body == none && distance(request.anchor, stroke.from, stroke.to) < own_object);
+        }
+        if (is_crossed && !is_own) price += over_a_body;
     }
     for (std::size_t j = 0; j < requests_.size(); ++j) {
         const LabelRequest& other = requests_[j];
