@@ -48,6 +48,7 @@ public:
             LabelRequest label = where_[c] == Where::here ? draw_dots(cluster) : draw_arrows(cluster);
             if (!label.text.empty()) sketch_.labels.push_back(std::move(label));
         }
+        keep_room_for_names_from_afar();
     }
 
     /// Names of centres that could be drawn but are not.
@@ -261,7 +262,7 @@ private:
             double price = obstruction(ray, sense * on, sense) + per_millimetre * (on - first);
             if (price >= best.price) continue;
             const Spot tip = ray.at + sense * (on + broken_end) * ray.along;
-            if (!paper.has_room_about(tip, name)) price += without_name;
+            if (!paper.room_about(tip, name)) price += without_name;
             if (contains(sketch_.mechanism_box(), tip)) price += among_lines;
             best.offer(price, sense * on);
         }
@@ -396,6 +397,15 @@ private:
         return label;
     }
 
+    /// They are wide, so that arrows of motion must not take their places.
+    void keep_room_for_names_from_afar() {
+        for (std::size_t c = 0; c < all_.size(); ++c) {
+            if (where_[c] != Where::far || !drawn_[c] || !arrows_[c]) continue;
+            FreePaper& paper = paper_of(sketch_);
+            const Spot tip = arrows_[c]->base + broken_end * arrows_[c]->along;
+            if (const auto place = paper.room_about(tip, box_of_name(sketch_, name_from_afar(c)))) paper.take(*place);
+        }
+    }
     /// "  (O4 P_13 = 1.84 m)": the segment that does not fit into the drawing.
     RichText how_far_is(std::size_t c) const {
         const std::optional<Named>& from = counted_from_[c];

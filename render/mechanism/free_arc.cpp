@@ -130,17 +130,26 @@ bool is_clear(const std::vector<Spot>& arc, const InkBox& name) {
 }
 
 /// A free place of the name about the middle of its arc: outside, then obliquely, then inside.
-std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox name) {
+std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox name, double off) {
     constexpr std::array turns{0.0, 0.5, -0.5, 1.0, -1.0, pi_number, pi_number - 0.5, pi_number + 0.5};
     const double middle = arc.from + 0.5 * (arc.to - arc.from);
     const std::vector<Spot> along = spots_along(arc);
     for (const double turn : turns) {
         const Spot u = polar_spot(middle + turn);
         const double to_side = 1 / std::max(std::abs(u.x), std::abs(u.y));
-        name.centre = arc.at(middle) + clear_of_arc * u + to_side * Spot{u.x * name.half.x, u.y * name.half.y};
+        name.centre = arc.at(middle) + off * u + to_side * Spot{u.x * name.half.x, u.y * name.half.y};
         if (is_clear(along, name) && paper.has_room_for(name)) return name;
     }
     return std::nullopt;
+}
+
+/// Of a name that stands away from its arc, as near as it can.
+double price_of_leader(const FreePaper& paper, const Arc& arc, const InkBox& name, double enough) {
+    constexpr double nearest = 6, step = 5, farthest_off = 21, per_length = 0.3;
+    double price = without_name;
+    for (double off = nearest; off < farthest_off && price < enough; off += step, price += per_length * step)
+        if (room_for(paper, arc, name, off)) break;
+    return price;
 }
 
 }  // namespace
@@ -157,8 +166,10 @@ PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& 
         if (place.price >= best.price) break;
         const double price = place.price + paper.price_of(place.arc, best.price - place.price);
         if (price >= best.price) continue;
-        const auto room = room_for(paper, place.arc, name);
-        best.offer(price + (room ? per_growth * paper.beyond_all(*room) : without_name), {place.arc, room});
+        const auto room = room_for(paper, place.arc, name, clear_of_arc);
+        const double of_name =
+            room ? per_growth * paper.beyond_all(*room) : price_of_leader(paper, place.arc, name, best.price - price);
+        best.offer(price + of_name, {place.arc, room});
     }
     return best.choice;
 }

@@ -36,7 +36,7 @@ Box extent_of(const Sketch& sketch) {
 }
 
 /// The labels of a figure are placed in the same room: see LabelSetting::spare.
-Box room_about(const Sketch& sketch, const Box& drawn) {
+Box room_of_names(const Sketch& sketch, const Box& drawn) {
     if (!sketch.space) return grown(drawn, beside_all);
     const Box own = sketch.with_more_on_one_side(drawn, sketch.labels, *sketch.space);
     const Spot spare{std::max(0.0, sketch.space->x - own.width()) / 2,
@@ -76,7 +76,7 @@ void FreePaper::take_what_is_new(const Sketch& sketch) {
                 if (const auto ink = ink_of(*text, sketch.context.fonts)) solid_.fill(*ink);
     }
     drawn_ = extent_of(sketch);
-    room_ = room_about(sketch, drawn_);
+    room_ = room_of_names(sketch, drawn_);
 }
 
 double FreePaper::price_of(const Arc& arc, double enough) const { return price_of(spots_along(arc), enough); }
@@ -109,14 +109,15 @@ double FreePaper::beyond_all(const InkBox& name) const {
            std::max({0.0, drawn_.min.y - low.y, high.y - drawn_.max.y});
 }
 
-bool FreePaper::has_room_about(Spot spot, const InkBox& name) const {
+std::optional<InkBox> FreePaper::room_about(Spot spot, const InkBox& name) const {
     constexpr double off = 1.2;  // mm
     for (const auto side :
          std::initializer_list<Spot>{{1, -0.7}, {-1, -0.7}, {1, 0.7}, {-1, 0.7}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}) {
         const Spot to{side.x * (name.half.x + off), side.y * (name.half.y + off)};
-        if (has_room_for({spot + to, name.half, name.axis})) return true;
+        const InkBox there{spot + to, name.half, name.axis};
+        if (has_room_for(there)) return there;
     }
-    return false;
+    return std::nullopt;
 }
 
 void FreePaper::take(const Arc& arc) {

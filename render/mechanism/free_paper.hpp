@@ -29,8 +29,8 @@ public:
 
     /// How far a name extends beyond what is drawn, horizontally and vertically, mm.
     double beyond_all(const InkBox& name) const;
-    /// Whether a name covers nothing on some side of a spot.
-    bool has_room_about(Spot spot, const InkBox& name) const;
+    /// Where a name covers nothing, on some side of a spot.
+    std::optional<InkBox> room_about(Spot spot, const InkBox& name) const;
 
     void take(const Arc& arc);
     void take(const Bar& bar);

@@ -99,7 +99,7 @@ public:
     Arc curved_slot(const Joint& joint) const;
     /// Unit vectors of the strokes that leave a point.
     std::vector<Spot> leaving(PointIndex point) const;
-    /// Bars, plates, rims and blocks of the moving bodies, one body after the other; its joints as strokes of no length.
+    /// Bars, plates, rims and blocks of the moving bodies, one body after the other; joints as strokes of no length.
     std::vector<BodyStroke> strokes_of_bodies() const;
     /// How much a small symbol at `spot` would collide with strokes, blocks and pins, except the pin at `besides`; 0:
     /// not at all.
