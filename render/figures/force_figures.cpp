@@ -625,8 +625,9 @@ private:
                    colour_.line, dashes_of(applied));
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
-        // A force that is drawn again where a couple moves it has its value once.
-        const bool says_value = !to_scale && thin_.insert(name_of(applied.symbol)).second && scale_.says_values;
+        // Nothing else at the figure says how long such an arrow would be. A force that is drawn again where a couple
+        // moves it has its value once.
+        const bool says_value = !to_scale && thin_.insert(name_of(applied.symbol)).second;
         if (says_value)
             append(text, with_powers(" = " + number(value, 4, sketch_.context.language) + " " + unit_.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);

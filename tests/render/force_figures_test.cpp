@@ -392,6 +392,65 @@ TEST(ForceSheet, CallsWhatCarriesAPlanetAnArm) {
     EXPECT_EQ(words.find("rocker"), std::string::npos) << words;
 }
 
+/// The marks of each figure of a page, from its group on to where that ends.
+std::vector<std::vector<Mark>> figures_of(const Page& page) {
+    std::vector<std::vector<Mark>> figures;
+    int depth = 0;  // within a figure
+    for (const Mark& mark : page.marks) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (depth == 0 && group != nullptr && group->cls == "figure") figures.emplace_back();
+        if (depth > 0 || (group != nullptr && group->cls == "figure")) figures.back().push_back(mark);
+        if (depth > 0 || (group != nullptr && group->cls == "figure"))
+            depth += group != nullptr ? 1 : std::holds_alternative<GroupEnd>(mark) ? -1 : 0;
+    }
+    return figures;
+}
+
+/// Whether each vector of a figure has the length of its value, or else its value at its name.
+void expect_lengths_or_values(const std::vector<Mark>& figure, const Unit& unit, int& thin) {
+    const std::vector<Ink> inks = labels_of(figure);
+    for (const Drawn& vector : vectors_of(figure))
+        if (vector.scale > 0) {
+            EXPECT_NEAR(length(vector.axis.tip - vector.axis.tail), std::abs(vector.value) / vector.scale, 1e-6)
+                << vector.name;
+        }
+    for (const Mark& mark : figure) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (group == nullptr || group->cls != "sense") continue;
+        ++thin;
+        const double value = std::strtod(group->attribute("data-value")->c_str(), nullptr);
+        const std::string words = " = " + number(value, 4, Language::en) + " " + unit.symbol;
+        EXPECT_TRUE(std::any_of(
+            inks.begin(), inks.end(),
+            [&](const Ink& ink) { return ink.words.starts_with("F") && ink.words.find(words) != std::string::npos; }))
+            << group->id.text() << words;
+    }
+}
+
+/// What is off the scale of its figure says how large it is, and the caption says that it is off.
+TEST(ForcePages, HaveVectorsToScaleOrWithValueAndNotice) {
+    const std::string notice = word(lang::sheet::thin_arrows_not_to_scale, Language::en);
+    int off_scale = 0;
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        for (const Page& page : pages::laid_out(name)) {
+            int figures = 0, notices = 0;
+            for (const std::vector<Mark>& figure : figures_of(page)) {
+                int thin = 0;
+                expect_lengths_or_values(figure, example(name).mechanism.units.force, thin);
+                figures += thin > 0 ? 1 : 0;
+                off_scale += thin;
+            }
+            std::string words;  // a caption may be on several lines
+            for (const TextMark* text : pages::texts_of(page)) words += text->words + " ";
+            for (std::size_t at = words.find(notice); at != std::string::npos; at = words.find(notice, at + 1))
+                ++notices;
+            EXPECT_EQ(notices, figures);
+        }
+    }
+    EXPECT_GT(off_scale, 10);
+}
+
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
     const Solution& solution = example("pliers");
     const Theme theme;
