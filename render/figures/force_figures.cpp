@@ -338,11 +338,25 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
-    constexpr double of_crossing = 4;
+    constexpr double of_crossing = 4, of_covered_name = 2, of_millimetre = 0.02;
+    // The line that its name takes beside its middle, where no other arc may be.
+    const double half = 0.5 * sketch.context.fonts.shape(text, sketch.theme.label).width;
+    const auto room_of_name = [&](double radius, double from) {
+        constexpr double gap = 3;
+        const Spot out = polar_spot(from + by / 2);
+        const Spot middle = at + (radius + gap) * out + Spot{half * std::clamp(2 * out.x, -1.0, 1.0), 0};
+        return Bar{middle - Spot{half, 0}, middle + Spot{half, 0}};
+    };
+    const auto past_the_side = [&, view = sketch.mechanism_box()](const Bar& name) {
+        return std::max(0.0, view.min.x - name.from.x) + std::max(0.0, name.to.x - view.max.x);
+    };
     Cheapest<Arc> best;
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
-            const double from = step * pi_number / 6, price = 0.15 * (radius - 7) / 3.5;
+            const double from = step * pi_number / 6;
+            const Bar name = room_of_name(radius, from);
+            const double price = 0.15 * (radius - 7) / 3.5 + of_covered_name * clutter.along(name.from, name.to) +
+                                 of_millimetre * past_the_side(name);
             const double enough = (best.price - price) / of_crossing;
             best.offer(price + of_crossing * clutter.along_arc(at, radius, from, by, enough),
                        {at, radius, from, from + by});
@@ -353,6 +367,8 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, {Form::couple, held});
     clutter.add_arc(at, arc.radius, arc.from, by);
+    const Bar name = room_of_name(arc.radius, arc.from);
+    clutter.add(name.from, name.to);
     const Spot out = polar_spot(arc.from + by / 2), middle = at + arc.radius * out;
     LabelRequest& label = sketch.add_label(text, colour.letter, middle, 1.5, statement);
     label.toward = middle + 4.0 * turned(out);
@@ -469,15 +485,17 @@ public:
         const bool says_couples =
             scale_.says_values && std::any_of(body_.forces.begin(), body_.forces.end(),
                                               [this](const AppliedForce& each) { return is_seen(each.force); });
+        for (const AppliedForce& applied : body_.forces)
+            if (!applied.force.is_zero()) draw_force(applied, force_binding(load_, body_, applied));
+        // An arc goes round what stands about its point.
         for (const AppliedForce& applied : body_.forces) {
-            const std::string held = force_binding(load_, body_, applied);
-            if (!applied.couple.is_zero())
-                draw_couple(sketch_, clutter_,
-                            says_couples ? couple_words(sketch_.context, applied)
-                                         : typeset(couple_symbol(applied), sketch_.context.language),
-                            sketch_.spot(applied.at), applied.couple.sign() > 0, colour_, applied.force_statement,
-                            {couple_of(held), couple_of(held)}, says_couples ? unit_of_moment() : 0);
-            if (!applied.force.is_zero()) draw_force(applied, held);
+            if (applied.couple.is_zero()) continue;
+            const std::string couple = couple_of(force_binding(load_, body_, applied));
+            draw_couple(sketch_, clutter_,
+                        says_couples ? couple_words(sketch_.context, applied)
+                                     : typeset(couple_symbol(applied), sketch_.context.language),
+                        sketch_.spot(applied.at), applied.couple.sign() > 0, colour_, applied.force_statement,
+                        {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
         for (const AppliedForce& sum : body_.sums) {
@@ -807,11 +825,8 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
 /// Draws only the sense of a force; `standing`: the arrows drawn so far.
 void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
                 StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
-    const Spot at = sketch.spot(applied.at);
-    if (!applied.couple.is_zero())
-        draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at,
-                    applied.couple.sign() > 0, colour, statement, {couple_of(held), couple_of(held)}, 0);
     if (applied.force.is_zero()) return;
+    const Spot at = sketch.spot(applied.at);
     const Bar arrow = free_arrow(clutter, applied, at, standing);
     standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
@@ -826,6 +841,19 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     label.is_of_vector = true;
     label.names = {name_of(applied.symbol)};
     label.holds = on_force(Form::with, held);
+}
+
+/// Those that the mechanism shows, with their values: no polygon has them. An arc goes round what stands there already.
+void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads) {
+    const double unit = sketch.mechanism.units.moment.si.to_double();
+    for (const FreeBody& body : loads.bodies())
+        for (const AppliedForce& applied : body.forces) {
+            if (applied.couple.is_zero() || !is_shown_on_mechanism(body, applied, loads.is_alone())) continue;
+            const std::string couple = couple_of(force_binding(loads.load(), body, applied));
+            draw_couple(sketch, clutter, couple_words(sketch.context, applied), sketch.spot(applied.at),
+                        applied.couple.sign() > 0, sketch.theme.colour_of(body.body), applied.force_statement,
+                        {couple, couple}, unit);
+        }
 }
 
 /// Whether the force acts on the bodies taken together from outside, and is therefore in their funicular polygon.
@@ -1126,6 +1154,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
             for (const AppliedForce& sum : loads.together()[i].sums)
                 draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement,
                            sum_binding(load, i, sum), standing);
+        draw_couples(sketch, clutter, loads);
         std::vector<Bar> arms;
         for (const FreeBody& body : loads.bodies())
             for (std::size_t i = 0; i < body.arms.size(); ++i)

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "lang/keys/common.hpp"
 #include "lang/keys/sentences.hpp"
@@ -448,7 +449,134 @@ TEST(ForcePages, HaveVectorsToScaleOrWithValueAndNotice) {
             EXPECT_EQ(notices, figures);
         }
     }
-    EXPECT_GT(off_scale, 10);
+    EXPECT_GT(off_scale, 5);
+}
+
+/// A stroke of a funicular polygon, or the number that names one.
+struct OnStrings {
+    std::vector<std::string> on;
+    Spot from, to;  // of a stroke
+    Ink ink{};      // of a number
+    bool has_leader = false;
+};
+bool is_of_strings(const Holds& holds) {
+    return holds.form == Holds::Form::segment && holds.on.size() == 2 &&
+           std::all_of(holds.on.begin(), holds.on.end(), [](const std::string& on) {
+               return on.find('V') != std::string::npos && on.find('.') != std::string::npos;
+           });
+}
+bool is_dot(const Mark& mark) {
+    const auto* path = std::get_if<Path>(&mark);
+    return path != nullptr && path->filled && !path->stroked;
+}
+double distance_from(const Ink& ink, const std::vector<Spot>& points) {
+    double least = 1e300;
+    for (const Spot at : points)
+        least = std::min(least, length(Spot{std::max({0.0, ink.low.x - at.x, at.x - ink.high.x}),
+                                            std::max({0.0, ink.low.y - at.y, at.y - ink.high.y})}));
+    return least;
+}
+double distance_from(const Ink& ink, const OnStrings& string) {
+    std::vector<Spot> points;
+    constexpr int pieces = 400;
+    for (int i = 0; i <= pieces; ++i)
+        points.push_back(string.from + (static_cast<double>(i) / pieces) * (string.to - string.from));
+    return distance_from(ink, points);
+}
+bool on_one_line(const OnStrings& one, const OnStrings& other) {
+    const Spot along = unit(one.to - one.from);
+    return std::abs(cross(along, other.from - one.from)) < 0.05 && std::abs(cross(along, other.to - one.from)) < 0.05;
+}
+
+/// Numbers of strings are told apart by where they stand only.
+TEST(ForcePages, HaveEachNumberAtItsString) {
+    int numbers = 0;
+    for (const std::string& name : example_names())
+        for (const Page& page : pages::laid_out(name))
+            for (const std::vector<Mark>& figure : figures_of(page)) {
+                SCOPED_TRACE(name);
+                std::vector<OnStrings> strings, numbered;
+                bool leader = false;  // the mark before is the dot of one
+                for (const Mark& mark : figure) {
+                    const auto* path = std::get_if<Path>(&mark);
+                    if (path != nullptr && is_of_strings(path->holds) && path->segments.size() == 2)
+                        strings.push_back({path->holds.on, std::get<MoveTo>(path->segments[0]).to,
+                                           std::get<LineTo>(path->segments[1]).to});
+                    if (const auto* text = std::get_if<TextMark>(&mark);
+                        text != nullptr && text->cls == "label" && is_of_strings(text->holds))
+                        numbered.push_back({text->holds.on, {}, {}, labels_of({mark}).front(), leader});
+                    leader = is_dot(mark);
+                }
+                for (const OnStrings& number : numbered) {
+                    ++numbers;
+                    // The string with its extension, which ends where that of the number does.
+                    const auto own = std::find_if(strings.begin(), strings.end(), [&](const OnStrings& string) {
+                        return std::all_of(number.on.begin(), number.on.end(), [&](const std::string& end) {
+                            return std::any_of(strings.begin(), strings.end(), [&](const OnStrings& part) {
+                                return on_one_line(string, part) &&
+                                       std::find(part.on.begin(), part.on.end(), end) != part.on.end();
+                            });
+                        });
+                    });
+                    ASSERT_NE(own, strings.end()) << number.ink.words;
+                    double away = 1e300;
+                    for (const OnStrings& part : strings)
+                        if (on_one_line(*own, part)) away = std::min(away, distance_from(number.ink, part));
+                    for (const OnStrings& other : strings)
+                        if (!number.has_leader && !on_one_line(*own, other)) {
+                            EXPECT_LT(away, distance_from(number.ink, other)) << number.ink.words;
+                        }
+                }
+            }
+    EXPECT_GT(numbers, 20);
+}
+
+/// Points on the strokes of a path.
+std::vector<Spot> points_on(const Path& path) {
+    std::vector<Spot> points;
+    constexpr int pieces = 24;
+    for (const render::Segment& segment : path.segments) {
+        const Spot from = points.empty() ? Spot{} : points.back();
+        for (int i = 1; i <= pieces; ++i) {
+            const double t = static_cast<double>(i) / pieces, u = 1 - t;
+            if (const auto* l = std::get_if<LineTo>(&segment)) points.push_back(u * from + t * l->to);
+            if (const auto* c = std::get_if<CurveTo>(&segment))
+                points.push_back(u * u * u * from + 3 * u * u * t * c->control_1 + 3 * u * t * t * c->control_2 +
+                                 t * t * t * c->to);
+            if (const auto* a = std::get_if<ArcTo>(&segment))
+                points.push_back(a->centre + a->radius * polar_spot(u * a->from + t * a->to));
+        }
+        if (const auto* m = std::get_if<MoveTo>(&segment)) points.push_back(m->to);
+    }
+    return points;
+}
+
+TEST(ForcePages, HaveTheNameOfEachCoupleAtItsArc) {
+    int several = 0;  // names in figures of several couples
+    for (const std::string& name : loaded_examples())
+        for (const Page& page : pages::laid_out(name))
+            for (const std::vector<Mark>& figure : figures_of(page)) {
+                SCOPED_TRACE(name);
+                std::map<std::vector<std::string>, std::vector<Spot>> arcs;
+                for (const Mark& mark : figure)
+                    if (const auto* path = std::get_if<Path>(&mark);
+                        path != nullptr && path->holds.form == Holds::Form::couple)
+                        for (const Spot point : points_on(*path)) arcs[path->holds.on].push_back(point);
+                bool leader = false;  // the mark before is the dot of one
+                for (const Mark& mark : figure) {
+                    const auto* text = std::get_if<TextMark>(&mark);
+                    const bool has_leader = std::exchange(leader, is_dot(mark));
+                    if (text == nullptr || text->holds.form != Holds::Form::couple || has_leader) continue;
+                    const Ink ink = labels_of({mark}).front();
+                    ASSERT_TRUE(arcs.contains(text->holds.on)) << ink.words;
+                    for (const auto& [couple, arc] : arcs) {
+                        if (couple == text->holds.on) continue;
+                        ++several;
+                        EXPECT_LT(distance_from(ink, arcs.at(text->holds.on)), distance_from(ink, arc)) << ink.words;
+                    }
+                }
+            }
+    EXPECT_GT(several, 5);
 }
 
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
