@@ -258,9 +258,12 @@ private:
     };
     /// Dashed lines are below arrows; labels are in the order of the vectors.
     void draw_vectors() {
-        for (const PolygonPiece& piece : parts_.pieces)
+        for (const PolygonPiece& piece : parts_.pieces) {
+            if (piece.has_tail) lead_back(piece.from, piece.aside, piece.statement);
+            if (piece.has_tip) lead_back(piece.to, piece.aside, piece.statement);
             draw_shaft(figure_.marks, piece.from + piece.aside, piece.to + piece.aside, piece.has_tip, piece.colour,
                        piece.internal, theme_.vector, piece.statement);
+        }
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
         constexpr std::size_t of_a_vector = 5;
@@ -281,7 +284,8 @@ private:
         });
         const bool alike = with != drawn.end() && fall_together(*with->vector, vector);
         const Spot tail = vector.tail + vector.aside, tip = vector.tip + vector.aside;
-        if (with == drawn.end()) lead_back(vector);
+        if (with == drawn.end())
+            for (const Spot end : {vector.tail, vector.tip}) lead_back(end, vector.aside, vector.statement);
         const std::size_t first = marks.size();
         begin_group(vector, marks);
         marks.emplace_back(Axis{tail, tip});
@@ -322,13 +326,11 @@ private:
         figure_.axes.push_back({vector.name, vector.tail + vector.aside, vector.tip + vector.aside, ""});
     }
 
-    /// Thin lines from the true positions of its ends to where it is drawn.
-    void lead_back(const PolygonVector& vector) {
-        if (length(vector.aside) == 0) return;
-        for (const Spot end : {vector.tail, vector.tip}) {
-            figure_.marks.emplace_back(line(end, end + vector.aside, {theme_.thin, theme_.secondary, {}, false}));
-            belong(figure_.marks, figure_.marks.size() - 1, vector.statement);
-        }
+    /// A thin line from the true position of an end to where it is drawn.
+    void lead_back(Spot end, Spot aside, StatementIndex statement) {
+        if (length(aside) == 0) return;
+        figure_.marks.emplace_back(line(end, end + aside, {theme_.thin, theme_.secondary, {}, false}));
+        belong(figure_.marks, figure_.marks.size() - 1, statement);
     }
 
     void draw_pole() {
@@ -489,6 +491,43 @@ std::vector<Detail> merged(std::vector<Cluster>& clusters, double scale, double 
     return rounds;
 }
 
+/// A vector that leaves the detail: what is seen of it there. Of sides that fall together one is seen as in the figure,
+/// the external force.
+void add_piece(std::vector<PolygonPiece>& pieces, const PolygonPiece& piece) {
+    const auto are_near = [](Spot a, Spot b) { return length(a - b) < coincident; };
+    for (PolygonPiece& other : pieces) {
+        if (!are_near(other.aside, piece.aside)) continue;
+        const bool alike = are_near(other.from, piece.from) && are_near(other.to, piece.to);
+        if (!alike && !(are_near(other.from, piece.to) && are_near(other.to, piece.from))) continue;
+        if (piece.internal || (alike && !other.internal)) return;
+        if (other.internal) {
+            other = piece;
+            return;
+        }
+    }
+    pieces.push_back(piece);
+}
+
+/// The vectors within a detail, and the pieces of those that leave it; side by side as all of them are at its scale.
+void add_magnified_vectors(const PolygonParts& parts, const Detail& detail, PolygonParts& all) {
+    PolygonParts whole;
+    whole.vectors = parts.vectors;
+    for (PolygonVector& each : whole.vectors)
+        for (Spot* const end : {&each.tail, &each.tip}) *end = detail.magnification * (*end - detail.centre);
+    set_side_by_side(whole);
+    const double radius = detail.magnification * detail.radius;
+    for (std::size_t i = 0; i < whole.vectors.size(); ++i) {
+        const PolygonVector& each = whole.vectors[i];
+        if (is_in(detail, parts.vectors[i])) {
+            all.vectors.push_back(each);
+        } else if (const auto chord = within_circle(each.tail, each.tip, radius)) {
+            const Spot off = each.tip - each.tail;
+            add_piece(all.pieces, {each.tail + chord->first * off, each.tail + chord->second * off, chord->first == 0.0,
+                                   chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
+        }
+    }
+}
+
 /// The parts within a detail, relative to its centre, in mm at its scale, cut at its circle.
 PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
     const double radius = detail.magnification * detail.radius;
@@ -506,22 +545,7 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
                                  .mark_toward = {},
                                  .statement = each.statement});
     }
-    for (const PolygonVector& each : parts.vectors) {
-        const Spot tail = larger(each.tail), tip = larger(each.tip);
-        if (is_in(detail, each)) {
-            all.vectors.push_back(each);
-            all.vectors.back().tail = tail;
-            all.vectors.back().tip = tip;
-        } else if (const auto chord = within_circle(tail, tip, radius)) {
-            const Spot from = tail + chord->first * (tip - tail), to = tail + chord->second * (tip - tail);
-            const bool again = std::any_of(all.pieces.begin(), all.pieces.end(), [&](const PolygonPiece& other) {
-                return length(other.from - from) < coincident && length(other.to - to) < coincident;
-            });
-            if (!again)
-                all.pieces.push_back(
-                    {from, to, chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
-        }
-    }
+    add_magnified_vectors(parts, detail, all);
     for (const PolygonImage& each : parts.images)
         if (each.kind == PolygonImage::Kind::pole ? length(larger(each.at)) < radius - pole_radius
                                                   : is_in(detail, each.at)) {
@@ -540,7 +564,6 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
             all.corners.back().at = larger(each.at);
             all.corners.back().shorter_leg *= detail.magnification;
         }
-    set_side_by_side(all);
     return all;
 }
 

@@ -43,7 +43,7 @@ void open_group(Figure& figure, StatementIndex statement = none);
 /// The part within a detail of a vector that leaves it.
 struct PolygonPiece {
     Spot from, to;
-    bool has_tip = false;
+    bool has_tail = false, has_tip = false;  ///< that they are ends of the vector
     BodyColour colour;
     bool internal = false;
     StatementIndex statement = none;

@@ -326,6 +326,75 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     expect_measures(figure);
 }
 
+/// A figure of the parts with its details, which share its group's kind.
+Figure drawn_with_details(const DrawingContext& context, PolygonParts& parts) {
+    Figure figure;
+    figure.id = "forces";
+    figure.unit = "N";
+    figure.marks.emplace_back(GroupBegin{
+        "figure", GroupId("forces"), "", {{"data-figure", "forces"}, {"data-scale", "1"}, {"data-unit", "N"}}});
+    set_side_by_side(parts);
+    std::size_t letters = 0;
+    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
+    EXPECT_EQ(details.size(), 1u);
+    draw_parts(figure, context, parts, details);
+    place_labels(figure, fonts());
+    figure.marks.emplace_back(GroupEnd{});
+    set_details(figure, context, parts, details, {200, 150}, letters);
+    return figure;
+}
+
+/// A stroke from the corner that a detail shows is the same there as in the figure: the last of those that coincide
+/// that covers the others.
+TEST(PolygonDetail, HasEachSideInTheLineKindOfTheFigure) {
+    const Theme theme;
+    const DrawingContext context{example("four_bar"), theme, fonts(), Language::en};
+    for (const bool external_is_last : {false, true}) {
+        PolygonParts parts;
+        parts.opposites_share_label = true;
+        PolygonVector inner = vector_of("F_34", {80, 0}, {0, 30}), outer = vector_of("F_12", {0, 30}, {80, 0});
+        inner.internal = true;
+        inner.colour = theme.colour_of(BodyIndex(4));
+        outer.colour = theme.colour_of(BodyIndex(2));
+        parts.vectors = {external_is_last ? inner : outer, external_is_last ? outer : inner,
+                         vector_of("F_16", {80, 0}, {80, -1})};
+        const Figure figure = drawn_with_details(context, parts);
+        int dashed = 0, whole = 0;
+        for (const Mark& mark : figure.marks)
+            if (const auto* path = std::get_if<Path>(&mark); path != nullptr && path->stroked) {
+                dashed += path->pen.colour == inner.colour.line && !path->pen.dashes.empty() ? 1 : 0;
+                whole += path->pen.colour == outer.colour.line && path->pen.dashes.empty() ? 1 : 0;
+            }
+        // Under the arrow a dashed line may be; in the detail it would be the only one.
+        EXPECT_EQ(whole, 2) << "in the figure and in the detail";
+        EXPECT_LE(dashed, 1);
+    }
+}
+
+/// What stands beside a vector stands beside it in the detail, too.
+TEST(PolygonDetail, HasAsideWhatIsAsideInTheFigure) {
+    const Theme theme;
+    const DrawingContext context{example("four_bar"), theme, fonts(), Language::en};
+    PolygonParts parts;
+    parts.vectors = {vector_of("F_g", {0, 80}, {0, 0}), vector_of("F_H", {0, 0}, {0, 2}),
+                     vector_of("F_s", {0, 2}, {60, 80})};
+    const Figure figure = drawn_with_details(context, parts);
+    std::map<bool, std::set<double>> upright;  // where the shafts of F_g and F_H stand; in the detail: true
+    bool in_detail = false;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "figure")
+            in_detail = attribute(*group, "data-figure") == "detail";
+        const auto* path = std::get_if<Path>(&mark);
+        if (path == nullptr || !path->stroked || path->pen.width != theme.vector) continue;
+        const Spot from = std::get<MoveTo>(path->segments[0]).to, to = std::get<LineTo>(path->segments[1]).to;
+        if (std::abs(to.x - from.x) < 1e-9) upright[in_detail].insert(from.x);
+    }
+    // The short one has no shaft in the figure.
+    ASSERT_EQ(upright[true].size(), 2U);
+    EXPECT_NEAR(*upright[true].rbegin() - *upright[true].begin(), std::abs(parts.vectors[1].aside.x), 1e-9);
+    EXPECT_GT(std::abs(parts.vectors[1].aside.x), 1);
+}
+
 // --- construction
 // ----------------------------------------------------------------------------------------------------------------
 
