@@ -434,12 +434,16 @@ bool reads_as_one(const Bar& arrow, const std::vector<Bar>& others) {
 }
 Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; }
 
-/// A resultant acts on nothing: its shaft is thinner, and dashed.
-double width_of(const AppliedForce& applied, const Theme& theme) {
-    return applied.is_resultant() ? theme.outline : theme.vector;
+/// A resultant acts on nothing, so it has the colour of no body, and two heads.
+BodyColour colour_of(const AppliedForce& applied, const Theme& theme, const BodyColour& body) {
+    return applied.is_resultant() ? theme.colour_of(none) : body;
 }
-std::vector<double> dashes_of(const AppliedForce& applied) {
-    return applied.is_resultant() ? long_dashes() : std::vector<double>{};
+void draw_force_arrow(std::vector<Mark>& marks, const AppliedForce& applied, const Bar& arrow, double width,
+                      Colour colour) {
+    if (applied.is_resultant())
+        draw_double_arrow(marks, arrow.from, arrow.to, width, colour);
+    else
+        draw_arrow(marks, arrow.from, arrow.to, width, colour);
 }
 
 bool acts_at_centre(const AppliedForce& applied) {
@@ -639,8 +643,8 @@ private:
                                                statement,
                                                on_force(to_scale ? Form::arrow : Form::with, held)});
         if (to_scale) sketch_.arrows.emplace_back(Axis{arrow.from, arrow.to});
-        draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? width_of(applied, theme) : theme.outline,
-                   colour_.line, dashes_of(applied));
+        const BodyColour colour = colour_of(applied, theme, colour_);
+        draw_force_arrow(sketch_.arrows, applied, arrow, to_scale ? theme.vector : theme.outline, colour.line);
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
         // Nothing else at the figure says how long such an arrow would be. A force that is drawn again where a couple
@@ -648,7 +652,7 @@ private:
         const bool says_value = !to_scale && thin_.insert(name_of(applied.symbol)).second;
         if (says_value)
             append(text, with_powers(" = " + number(value, 4, sketch_.context.language) + " " + unit_.symbol));
-        LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
+        LabelRequest& label = sketch_.add_label(std::move(text), colour.letter, middle(arrow), 1.5, statement);
         label.size = theme.equation;
         label.toward = arrow.to;
         label.is_of_vector = true;
@@ -704,7 +708,7 @@ private:
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
-        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line, long_dashes());
+        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line);
         belong(sketch_.arrows, first, applied.force_statement);
         hang(sketch_.arrows, first, {Form::arrow, {point, held}});
         const Unit& unit = sketch_.mechanism.units.length;
@@ -823,14 +827,15 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
 }
 
 /// Draws only the sense of a force; `standing`: the arrows drawn so far.
-void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
+void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& body,
                 StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
     if (applied.force.is_zero()) return;
     const Spot at = sketch.spot(applied.at);
     const Bar arrow = free_arrow(clutter, applied, at, standing);
     standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
-    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.outline, colour.line, dashes_of(applied));
+    const BodyColour colour = colour_of(applied, sketch.theme, body);
+    draw_force_arrow(sketch.arrows, applied, arrow, sketch.theme.outline, colour.line);
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, on_force(Form::with, held));
     clutter.add(arrow.from, arrow.to);

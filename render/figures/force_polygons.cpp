@@ -87,28 +87,19 @@ public:
             side.name = each.name;
             side.tail = spot(figure.scale, each.tail);
             side.tip = spot(figure.scale, each.tip);
-            const Spot aside = displaced(columns, side.tail, side.tip);
-            if (length(aside) > 0) {
-                for (const Spot end : {side.tail, side.tip}) {
-                    PolygonLine thin;
-                    thin.from = end;
-                    thin.to = end + aside;
-                    thin.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
-                    parts.lines.push_back(std::move(thin));
-                }
-                side.tail = side.tail + aside, side.tip = side.tip + aside;
-            }
+            set_in_column(parts, columns, side);
             side.text = typeset(each.symbol, context_.language);
             side.colour = context_.theme.colour_of(is_truss_whole(context_.solution) ? BodyIndex(none) : each.body);
             // A repeated inner side (of a two-force body) is a single stroke with both names.
             side.internal = each.falls_out;
-            // A resultant acts on nothing, and a part is not the whole force.
-            side.is_thin = each.is_part || (is_open() && &each == &scene_.vectors.back());
+            side.is_thin = each.is_part;  // not the whole force
+            side.is_resultant = is_open() && &each == &scene_.vectors.back();
+            if (side.is_resultant) side.colour = context_.theme.colour_of(none);
             side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
         }
+        add_diagonals(figure.scale, parts, columns);
         set_side_by_side(parts);
-        if (!flat_) add_diagonals(figure.scale, parts);
         if (funicular_) add_rays(figure.scale, parts);
         return parts;
     }
@@ -139,8 +130,8 @@ private:
 
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
 
-    /// A partial sum is a diagonal from the first corner. It is thin, because it acts on nothing.
-    void add_diagonals(double scale, PolygonParts& parts) const {
+    /// A partial sum is a diagonal from the first corner.
+    void add_diagonals(double scale, PolygonParts& parts, std::vector<std::vector<Interval>>& columns) const {
         const double near = 1e-9 * scene_.size();
         for (const AppliedForce& sum : sums_) {
             const Exact& si = scene_.unit.si;
@@ -152,17 +143,17 @@ private:
             // A sum of one force is that force; the last corner equals the first.
             const auto end = std::find_if(scene_.vectors.begin(), scene_.vectors.end(), ends);
             if (end == scene_.vectors.begin() || end == scene_.vectors.end()) continue;
-            PolygonLine diagonal;
-            diagonal.from = spot(scale, start);
-            diagonal.to = spot(scale, end->tip);
-            diagonal.pen = {context_.theme.outline, context_.theme.text, long_dashes(), false};
-            diagonal.mark = typeset(sum.symbol, context_.language);
-            diagonal.mark_at = 0.5 * (diagonal.from + diagonal.to);
-            diagonal.mark_toward = diagonal.to;
-            diagonal.mark_along = false;
-            diagonal.is_arrow = true;
+            PolygonVector diagonal;
+            diagonal.value = nearest::hypot(tip.x, tip.y);
+            diagonal.name = name_of(sum.symbol);
+            diagonal.tail = spot(scale, start);
+            diagonal.tip = spot(scale, end->tip);
+            diagonal.text = typeset(sum.symbol, context_.language);
+            diagonal.colour = context_.theme.colour_of(none);
+            diagonal.is_resultant = true;
             diagonal.statement = end->statement;
-            parts.lines.push_back(std::move(diagonal));
+            set_in_column(parts, columns, diagonal);
+            parts.vectors.push_back(std::move(diagonal));
         }
     }
 
@@ -200,6 +191,19 @@ private:
         parts.images.push_back(std::move(image));
     }
 
+    /// Moves a side of a flat polygon aside, with thin lines from its true ends.
+    void set_in_column(PolygonParts& parts, std::vector<std::vector<Interval>>& columns, PolygonVector& side) const {
+        const Spot aside = displaced(columns, side.tail, side.tip);
+        if (!(length(aside) > 0)) return;
+        for (Spot* const end : {&side.tail, &side.tip}) {
+            PolygonLine thin;
+            thin.from = *end;
+            thin.to = *end + aside;
+            thin.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
+            parts.lines.push_back(std::move(thin));
+            *end = *end + aside;
+        }
+    }
     /// Parallel sides would overlap: each is moved to the first free column.
     Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
         if (!flat_) return {0, 0};

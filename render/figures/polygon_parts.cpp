@@ -138,6 +138,11 @@ bool is_knot(const PolygonParts& parts) {
     return names / many > std::max(box.width(), box.height()) / in;
 }
 
+/// Between two of its places.
+PolygonPiece piece_of(const PolygonVector& vector, Spot from, Spot to) {
+    return {from, to, true, true, vector.is_resultant, vector.colour, vector.internal, vector.statement, vector.aside};
+}
+
 // --- figures
 
 class PartsDrawing {
@@ -180,15 +185,11 @@ private:
     void draw_lines() {
         for (const PolygonLine& each : parts_.lines) {
             const std::size_t first = figure_.marks.size();
-            if (each.is_arrow)
-                draw_arrow(figure_.marks, each.from, each.to, each.pen.width, each.pen.colour, each.pen.dashes);
-            else
-                figure_.marks.emplace_back(line(each.from, each.to, each.pen));
+            figure_.marks.emplace_back(line(each.from, each.to, each.pen));
             belong(figure_.marks, first, each.statement);
             if (each.mark.empty()) continue;
             LabelRequest& mark =
-                ask_label(each.mark, each.is_arrow ? theme_.equation : theme_.small,
-                          each.is_arrow ? theme_.text : theme_.secondary, each.mark_at, 1.2, each.statement);
+                ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
             mark.along = each.mark_along;
         }
@@ -238,16 +239,19 @@ private:
         return clip(start.x, step.x) && clip(start.y, step.y);
     }
 
-    void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    double width, StatementIndex statement) const {
+    void draw_shaft(std::vector<Mark>& marks, const PolygonPiece& piece, double width) const {
         const std::size_t first = marks.size();
-        if (internal)
-            marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
-        else if (has_tip)
-            draw_arrow(marks, from, to, width, colour.line);
+        const Spot from = piece.from + piece.aside, to = piece.to + piece.aside;
+        const Colour colour = piece.colour.line;
+        if (piece.internal)
+            marks.emplace_back(line(from, to, {theme_.outline, colour, dashes(), false}));
+        else if (!piece.has_tip)
+            marks.emplace_back(line(from, to, {width, colour, {}, false}));
+        else if (piece.is_resultant)
+            draw_double_arrow(marks, from, to, width, colour);
         else
-            marks.emplace_back(line(from, to, {width, colour.line, {}, false}));
-        belong(marks, first, statement);
+            draw_arrow(marks, from, to, width, colour);
+        belong(marks, first, piece.statement);
     }
 
     /// A vector that is drawn already.
@@ -261,8 +265,7 @@ private:
         for (const PolygonPiece& piece : parts_.pieces) {
             if (piece.has_tail) lead_back(piece.from, piece.aside, piece.statement);
             if (piece.has_tip) lead_back(piece.to, piece.aside, piece.statement);
-            draw_shaft(figure_.marks, piece.from + piece.aside, piece.to + piece.aside, piece.has_tip, piece.colour,
-                       piece.internal, theme_.vector, piece.statement);
+            draw_shaft(figure_.marks, piece, theme_.vector);
         }
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
@@ -290,8 +293,8 @@ private:
         begin_group(vector, marks);
         marks.emplace_back(Axis{tail, tip});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
-            draw_shaft(marks, tail, tip, true, vector.colour, vector.internal,
-                       vector.is_thin ? theme_.outline : theme_.vector, vector.statement);
+            draw_shaft(marks, piece_of(vector, vector.tail, vector.tip),
+                       vector.is_thin ? theme_.outline : theme_.vector);
         marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
@@ -522,8 +525,9 @@ void add_magnified_vectors(const PolygonParts& parts, const Detail& detail, Poly
             all.vectors.push_back(each);
         } else if (const auto chord = within_circle(each.tail, each.tip, radius)) {
             const Spot off = each.tip - each.tail;
-            add_piece(all.pieces, {each.tail + chord->first * off, each.tail + chord->second * off, chord->first == 0.0,
-                                   chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
+            PolygonPiece piece = piece_of(each, each.tail + chord->first * off, each.tail + chord->second * off);
+            piece.has_tail = chord->first == 0.0, piece.has_tip = chord->second == 1.0;
+            add_piece(all.pieces, piece);
         }
     }
 }

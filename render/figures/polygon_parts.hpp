@@ -22,7 +22,6 @@ struct PolygonLine {
     RichText mark;  ///< empty: none
     Spot mark_at, mark_toward;
     bool mark_along = true;  ///< the label is turned with the line
-    bool is_arrow = false;   ///< a sum of vectors: it has a head, and a label as vectors have
     StatementIndex statement = none;
 };
 struct PolygonVector {
@@ -32,7 +31,8 @@ struct PolygonVector {
     RichText text;
     BodyColour colour;
     bool internal = false;          ///< dashed and without a head, because it cancels in the sum
-    bool is_thin = false;           ///< a resultant, or a part of a force
+    bool is_thin = false;           ///< a part of a force
+    bool is_resultant = false;      ///< has two heads
     bool has_right_angles = false;  ///< a line through one of its ends is ⟂ to it by construction
     StatementIndex statement = none;
     Spot aside{};  ///< offset that separates it from others on the same line
@@ -44,6 +44,7 @@ void open_group(Figure& figure, StatementIndex statement = none);
 struct PolygonPiece {
     Spot from, to;
     bool has_tail = false, has_tip = false;  ///< that they are ends of the vector
+    bool is_resultant = false;
     BodyColour colour;
     bool internal = false;
     StatementIndex statement = none;

@@ -412,7 +412,7 @@ private:
         }
         hang(sketch_.construction, first, along_force(held));
         const Spot tail = at + 2.0 * along;
-        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text);
+        draw_double_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text);
         hang(sketch_.construction, first, with_force(held));
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
@@ -431,12 +431,15 @@ private:
         const Holds held{Holds::Form::with, {meet_binding("", meet.name), whole_binding()}};
         const std::size_t first = sketch_.construction.size();
         sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
-        draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
-                   sketch_.theme.secondary);
-        hang(sketch_.construction, first, held);
         const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
                                          [](const Truss::External& external) { return external.joint == none; });
-        if (loads < 2) return;  // a single load has its own letter
+        const Spot tail = at - half * along, tip = at - 2.0 * along;
+        if (loads < 2)  // a single load has its own letter
+            draw_arrow(sketch_.construction, tail, tip, sketch_.theme.outline, sketch_.theme.secondary);
+        else
+            draw_double_arrow(sketch_.construction, tail, tip, sketch_.theme.outline, sketch_.theme.text);
+        hang(sketch_.construction, first, held);
+        if (loads < 2) return;
         LabelRequest& label = sketch_.add_label(typeset(Symbol{Symbol::Letter::F, "R", {}}, sketch_.context.language),
                                                 sketch_.theme.text, at - 0.5 * half * along, 1.2, whole.statement);
         label.toward = at;
@@ -485,7 +488,7 @@ private:
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
         if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
         const std::size_t first = sketch_.construction.size();
-        draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text);
+        draw_double_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text);
         hang(sketch_.construction, first, with_force(held));
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,

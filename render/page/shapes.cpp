@@ -206,11 +206,6 @@ const std::vector<double>& dashes() {
     return pattern;
 }
 
-const std::vector<double>& long_dashes() {
-    static const std::vector<double> pattern{4, 1};
-    return pattern;
-}
-
 std::vector<double> going_round(std::vector<double> dashes, double length) {
     double period = 0;
     for (const double dash : dashes) period += dash;
@@ -450,19 +445,31 @@ void move(std::span<Mark> marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
 }
 
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
-                const std::vector<double>& dashes) {
+namespace {
+
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, Pen pen, int heads) {
     const double whole = length(tip - tail);
     if (!(whole > 0)) return;
-    Head head = head_for(width);
+    Head head = head_for(pen.width);
     // A short vector keeps at least two fifths of its shaft. The shaft gets thinner with the head, or it would be
     // visible beside the tip.
-    const double shrink = std::min(1.0, 0.6 * whole / head.length);
+    const double step = 1 - notch;  // from one head to the next, relative to its length
+    const double shrink = std::min(1.0, 0.6 * whole / (head.length * (1 + step * (heads - 1))));
     head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
-    const double shaft = std::min(width, 0.5 * head.width);
+    pen.width = std::min(pen.width, 0.5 * head.width);
     const Spot along = unit(tip - tail);
-    marks.emplace_back(line(tail, tip - (head.length * (1 - notch - 0.1)) * along, {shaft, colour, dashes, false}));
-    draw_head(marks, tip, along, head, colour);
+    marks.emplace_back(line(tail, tip - (head.length * (1 - notch - 0.1)) * along, pen));
+    for (int i = 0; i < heads; ++i) draw_head(marks, tip - (i * step * head.length) * along, along, head, pen.colour);
+}
+
+}  // namespace
+
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
+                const std::vector<double>& dashes) {
+    draw_arrow(marks, tail, tip, {width, colour, dashes, false}, 1);
+}
+void draw_double_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour) {
+    draw_arrow(marks, tail, tip, {width, colour, {}, false}, 2);
 }
 
 }  // namespace kinegraph::render

@@ -13,11 +13,9 @@
 
 namespace kinegraph::render {
 
-/// Line kinds: dash-dot for axes and lines of action, dashed for internal sides, long dashes for vectors that act on
-/// nothing: resultants, and forces in the place from which a couple moves them.
+/// Line kinds: dash-dot for axes and lines of action, dashed for internal sides.
 const std::vector<double>& dash_dot();
 const std::vector<double>& dashes();
-const std::vector<double>& long_dashes();
 
 /// Stretches or shrinks a dash pattern a little, so that a whole number of periods fits the length of a closed curve.
 std::vector<double> going_round(std::vector<double> dashes, double length);
@@ -48,6 +46,8 @@ void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, c
 /// exactly at `tip`. A vector shorter than its head gets a smaller head. `dashes` (mm) apply to the shaft.
 void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
                 const std::vector<double>& dashes = {});
+/// The same with a second head behind the first: a resultant, which acts on nothing, and for which its forces stand.
+void draw_double_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour);
 
 /// Appends an arc with an arrowhead at its end `to` (radians, clockwise on paper); head 3.2 × 1.15 mm.
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width,

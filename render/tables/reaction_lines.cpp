@@ -227,7 +227,7 @@ private:
         append(text, " " + Words(lang::sheet::action_and_reaction, name_of(example.from), name_of(example.on))
                                .in(context_.language));
         if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for(lang::sheet::internal_sides));
-        if (has_resultants()) append(text, " " + word_for(lang::sheet::long_dashes));
+        if (has_resultants()) append(text, " " + word_for(lang::sheet::double_heads));
         Block note;
         double baseline = 4.2;
         for (ShapedLine& each : context_.fonts.wrap(text, theme_.small, width_)) {
