@@ -446,6 +446,29 @@ void draw_force_arrow(std::vector<Mark>& marks, const AppliedForce& applied, con
         draw_arrow(marks, arrow.from, arrow.to, width, colour);
 }
 
+/// Moves a resultant along its line to a place where the line passes the body, if its components meet elsewhere.
+AppliedForce beside_body(const Sketch& sketch, const FreeBody& body, AppliedForce sum) {
+    const std::vector<PointIndex> points = points_of(sketch.mechanism, body);
+    if (points.empty() || contains(grown(sketch.mechanism_box(), 3), sketch.spot(sum.at))) return sum;
+    const Vector away = sketch.subject.solution.pose.at(points.front()) - sum.at;
+    const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
+    sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
+    return sum;
+}
+/// The resultants of a body whose lines pass so near it that both can be seen in one figure. A couple moves a small
+/// force far away; its value and its distance stand in the sentences.
+std::vector<AppliedForce> near_sums(const Sketch& sketch, const FreeBody& body) {
+    constexpr double sizes = 20;
+    const Box box = sketch.mechanism_box();
+    const double size = std::max({box.width(), box.height(), line_overshoot});
+    std::vector<AppliedForce> near;
+    for (const AppliedForce& sum : body.sums)
+        if (AppliedForce moved = beside_body(sketch, body, sum);
+            contains(grown(box, sizes * size), sketch.spot(moved.at)))
+            near.push_back(std::move(moved));
+    return near;
+}
+
 bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == Quantity::Kind::weight || applied.kind == Quantity::Kind::inertia;
 }
@@ -470,7 +493,8 @@ public:
           colour_(sketch.theme.colour_of(body.body)),
           load_(loads.load()),
           meets_(shown_meets(sketch.subject.solution, body)),
-          lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3), load_) {}
+          sums_(near_sums(sketch, body)),
+          lines_(sketch, view_of(sketch, sums_), load_) {}
 
     /// Whether a force is shorter than its arrow's head, so that its arrow is thin and says the value.
     bool draw() {
@@ -502,11 +526,10 @@ public:
                         {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
-        for (const AppliedForce& sum : body_.sums) {
-            if (!is_near(beside_body(sum))) continue;
+        for (const AppliedForce& sum : sums_) {
             if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
                                                   [&](const AppliedForce& f) { return f.force == sum.force; }))
-                draw_force(beside_body(sum), sum_binding(load_, body_, sum));
+                draw_force(sum, sum_binding(load_, body_, sum));
             else
                 add_line_of(sum, sum_binding(load_, body_, sum));
         }
@@ -519,26 +542,15 @@ public:
     }
 
 private:
+    /// Of the lines of action: with the places of the resultants, or their lines would end before them.
+    static Box view_of(const Sketch& sketch, const std::vector<AppliedForce>& sums) {
+        Box view = sketch.mechanism_box();
+        for (const AppliedForce& sum : sums) view.include(sketch.spot(sum.at));
+        return grown(view, line_overshoot + 3);
+    }
     /// Whether the arrow is longer than a line is thick.
     bool is_seen(const Vector& force) const {
         return length(force) / unit_.si.to_double() > 0.5 * scale_.per_millimetre;
-    }
-    /// Moves a resultant along its line to a place where the line passes the body, if its components meet elsewhere.
-    AppliedForce beside_body(AppliedForce sum) const {
-        const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
-        if (points.empty() || contains(grown(sketch_.mechanism_box(), 3), sketch_.spot(sum.at))) return sum;
-        const Vector away = sketch_.subject.solution.pose.at(points.front()) - sum.at;
-        const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
-        sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
-        return sum;
-    }
-    /// Whether the line of a resultant passes so near the body that both can be seen in one figure. A couple moves a
-    /// small force far away; its value and its distance stand in the sentences.
-    bool is_near(const AppliedForce& sum) const {
-        constexpr double sizes = 20;
-        const Box box = sketch_.mechanism_box();
-        const double size = std::max({box.width(), box.height(), line_overshoot});
-        return contains(grown(box, sizes * size), sketch_.spot(sum.at));
     }
     double unit_of_moment() const { return sketch_.mechanism.units.moment.si.to_double(); }
     void draw_force(const AppliedForce& applied, const std::string& held) {
@@ -742,6 +754,7 @@ private:
     std::string load_;
     Meets meets_;
     Clutter clutter_;
+    std::vector<AppliedForce> sums_;
     ActionLines lines_;
     std::vector<Bar> standing_;  // the arrows drawn
     std::vector<Bar> arms_;
