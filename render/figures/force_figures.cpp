@@ -159,6 +159,17 @@ struct ActionLine {
     }
 };
 
+/// Extends a line to the feet of the arms that are measured from it.
+void reach_feet(ActionLine& action, const Sketch& sketch, const FreeBody& body, const std::string& load) {
+    for (std::size_t i = 0; i < body.arms.size(); ++i) {
+        const FreeBody::Arm& arm = body.arms[i];
+        const Spot foot = sketch.spot(arm.foot);
+        if (std::abs(cross(action.along, foot - action.at)) > 0.05) continue;
+        action.reach(foot, arm_binding(load, body, i, true));
+        action.statement = action.statement == none ? arm.statement : std::min(action.statement, arm.statement);
+    }
+}
+
 LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance,
                            StatementIndex statement, const std::string& place) {
     return {.text = typeset(Symbol{Symbol::Letter::point, name, ""}, sketch.context.language),
@@ -450,7 +461,10 @@ void draw_force_arrow(std::vector<Mark>& marks, const AppliedForce& applied, con
 AppliedForce beside_body(const Sketch& sketch, const FreeBody& body, AppliedForce sum) {
     const std::vector<PointIndex> points = points_of(sketch.mechanism, body);
     if (points.empty() || contains(grown(sketch.mechanism_box(), 3), sketch.spot(sum.at))) return sum;
-    const Vector away = sketch.subject.solution.pose.at(points.front()) - sum.at;
+    Vector middle;
+    for (const PointIndex point : points) middle = middle + sketch.subject.solution.pose.at(point);
+    const Exact count(static_cast<int>(points.size()));
+    const Vector away = Vector{middle.x / count, middle.y / count} - sum.at;
     const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
     sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
     return sum;
@@ -679,13 +693,7 @@ private:
     }
     void add_line_of(const AppliedForce& applied, const std::string& held) {
         ActionLine action = lines_.line_of(applied, meets_, held);
-        for (std::size_t i = 0; i < body_.arms.size(); ++i) {
-            const FreeBody::Arm& arm = body_.arms[i];
-            const Spot foot = sketch_.spot(arm.foot);
-            if (std::abs(cross(action.along, foot - action.at)) > 0.05) continue;
-            action.reach(foot, arm_binding(load_, body_, i, true));
-            action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
-        }
+        reach_feet(action, sketch_, body_, load_);
         // Extends the line to where the force is added to another.
         for (const AppliedForce& sum : body_.sums)
             if (const Spot at = sketch_.spot(sum.at);
@@ -720,9 +728,15 @@ private:
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
-        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line);
+        const Bar there{at, at + (arrow.to - arrow.from)};
+        draw_arrow(sketch_.arrows, there.from, there.to, sketch_.theme.thin, colour_.line);
         belong(sketch_.arrows, first, applied.force_statement);
         hang(sketch_.arrows, first, {Form::arrow, {point, held}});
+        LabelRequest& label = sketch_.add_label(typeset(applied.symbol, sketch_.context.language), colour_.letter,
+                                                middle(there), 1.5, applied.force_statement);
+        label.toward = there.to;
+        label.is_of_vector = true;
+        label.holds = {Form::arrow, {point, held}};
         const Unit& unit = sketch_.mechanism.units.length;
         const double metres =
             kinegraph::length(applied.at - sketch_.subject.solution.pose.at(sketch_.mechanism.joint(pair.joint).point));
@@ -861,6 +875,20 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     label.holds = on_force(Form::with, held);
 }
 
+/// Of bodies, where they are in view, and of bodies taken together.
+void draw_resultants(Sketch& sketch, Clutter& clutter, const LoadCase& loads, const Box& view,
+                     std::vector<Bar>& standing) {
+    const BodyColour colour = sketch.theme.colour_of(none);
+    for (const FreeBody& body : loads.bodies())
+        for (const AppliedForce& sum : near_sums(sketch, body))
+            if (contains(view, sketch.spot(sum.at)))
+                draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), body, sum),
+                           standing);
+    for (std::size_t i = 0; i < loads.together().size(); ++i)
+        for (const AppliedForce& sum : loads.together()[i].sums)
+            draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), i, sum), standing);
+}
+
 /// Those that the mechanism shows, with their values: no polygon has them. An arc goes round what stands there already.
 void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads) {
     const double unit = sketch.mechanism.units.moment.si.to_double();
@@ -920,12 +948,16 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
             ActionLine action = lines.line_of(applied, shown_meets(solution, body), force_binding(load, body, applied));
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
+    for (const FreeBody& body : loads.bodies())
+        for (const AppliedForce& sum : near_sums(sketch, body)) {
+            ActionLine action = lines.line_of(sum, meets, sum_binding(load, body, sum));
+            reach_feet(action, sketch, body, load);
+            lines.add(std::move(action));
+        }
     const auto add_sum = [&](const AppliedForce& sum, std::string held) {
         if (ActionLine action = lines.line_of(sum, meets, std::move(held)); action.joins())
             lines.add(std::move(action));
     };
-    for (const FreeBody& body : loads.bodies())
-        for (const AppliedForce& sum : body.sums) add_sum(sum, sum_binding(load, body, sum));
     for (std::size_t i = 0; i < loads.together().size(); ++i) {
         const TakenTogether& together = loads.together()[i];
         for (const AppliedForce& sum : together.sums) {
@@ -1168,10 +1200,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
                                force_binding(load, body, applied), standing);
-        for (std::size_t i = 0; i < loads.together().size(); ++i)
-            for (const AppliedForce& sum : loads.together()[i].sums)
-                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement,
-                           sum_binding(load, i, sum), standing);
+        draw_resultants(sketch, clutter, loads, grown(drawn, line_overshoot), standing);
         draw_couples(sketch, clutter, loads);
         std::vector<Bar> arms;
         for (const FreeBody& body : loads.bodies())

@@ -88,6 +88,10 @@ export class ArrowBinder {
         const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
         const paths = all.map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
         const own = this.headOf(node), full = this.wholeHeadOf(node, length), head = own?.length ?? 0;
+        // A resultant has a second head behind the first.
+        const ofHeads = paths.filter(({path}) => path.getAttribute('fill') !== 'none')
+            .flatMap(({segments}) => spotsOf(segments));
+        const heads = Math.max(head, ...ofHeads.map((at) => length - local(at).t));
         const axis = node.querySelector('line.axis');
         this.view.bindings.push(() => {
             const now = place(), size = now ? apart(now[0], now[1]) : 0;
@@ -98,7 +102,7 @@ export class ArrowBinder {
             const wide = full ? full.width * Math.max(share, leastHeadWidth) : 1;
             const [long, broad] = own && full ? [share * full.length / head, wide / own.width] : [1, 1];
             const map = (/** @type {Spot} */ at) => {
-                const {t, n: side} = local(at), atTail = t < 0.01 || length - t > head + 1;
+                const {t, n: side} = local(at), atTail = t < 0.01 || length - t > heads + 1;
                 const from = atTail ? now[0] : now[1];
                 return along(
                     along(from, atTail ? t : long * (t - length), toward),

@@ -579,6 +579,71 @@ TEST(ForcePages, HaveTheNameOfEachCoupleAtItsArc) {
     EXPECT_GT(several, 5);
 }
 
+/// The names of all resultants of a solution.
+std::set<std::string> resultants_of(const Solution& solution) {
+    std::set<std::string> names;
+    const auto take = [&](const auto& all) {
+        for (const auto& each : all)
+            for (const AppliedForce& sum : each.sums)
+                if (sum.is_resultant()) names.insert(name_of(sum.symbol));
+    };
+    take(solution.free_bodies);
+    take(solution.taken_together);
+    if (solution.superposition)
+        for (const Superposition::Part& part : solution.superposition->parts) take(part.bodies), take(part.together);
+    for (const Resultant& each : solution.resultants)
+        if (each.polygon >= 0)
+            names.insert(name_of(
+                solution.protocol.vectors[at_index(solution.protocol.polygons[at_index(each.polygon)].vectors.back())]
+                    .symbol));
+    return names;
+}
+
+/// Whether it is a force that a couple moves aside, which is drawn as a force, and as what both are together.
+bool is_moved(const Solution& solution, const std::string& name) {
+    const auto has = [&](const std::vector<AppliedForce>& forces) {
+        return std::any_of(forces.begin(), forces.end(),
+                           [&](const AppliedForce& each) { return name.starts_with(name_of(each.symbol)); });
+    };
+    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
+                       [&](const FreeBody& body) { return has(body.forces) && has(body.sums); });
+}
+
+/// In no body's colour, solid and with two heads wherever they are drawn; nothing else has two heads.
+TEST(ForcePages, HaveResultantsByOneRule) {
+    const Colour own = Theme().colour_of(none).line;
+    std::map<std::string, int> seen;  // by kind of figure
+    for (const std::string& name : example_names()) {
+        const std::set<std::string> resultants = resultants_of(example(name));
+        for (const Page& page : pages::laid_out(name))
+            for (const std::vector<Mark>& figure : figures_of(page)) {
+                const std::string* kind = std::get<GroupBegin>(figure.front()).attribute("data-figure");
+                const GroupBegin* vector = nullptr;
+                int heads = 0;
+                for (const Mark& mark : figure) {
+                    if (const auto* group = std::get_if<GroupBegin>(&mark))
+                        vector = group->cls == "vector" || group->cls == "sense" ? group : nullptr, heads = 0;
+                    if (vector == nullptr) continue;
+                    const std::string& of = *vector->attribute("data-name");
+                    const bool is_resultant = resultants.contains(of);
+                    if (is_moved(example(name), of)) continue;
+                    if (const auto* path = std::get_if<Path>(&mark)) {
+                        heads += path->filled ? 1 : 0;
+                        if (is_resultant) {
+                            EXPECT_EQ(path->filled ? path->fill : path->pen.colour, own) << vector->id.text();
+                            EXPECT_TRUE(path->pen.dashes.empty()) << vector->id.text();
+                        }
+                    }
+                    if (!std::holds_alternative<GroupEnd>(mark)) continue;
+                    EXPECT_EQ(heads > 1, is_resultant) << name << ' ' << vector->id.text();
+                    if (is_resultant) ++seen[*kind];
+                    vector = nullptr;
+                }
+            }
+    }
+    for (const char* kind : {"body", "forces"}) EXPECT_GT(seen[kind], 5) << kind;
+}
+
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
     const Solution& solution = example("pliers");
     const Theme theme;
