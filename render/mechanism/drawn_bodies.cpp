@@ -37,6 +37,9 @@ void draw_skeleton_of(Sketch& sketch, BodyIndex body, const Pen& thin) {
         if (joint.pair().is_sleeve() && joint.bodies[0] == body && !sketch.cylinder_of(joint))
             marks.emplace_back(panel(sketch.corners_of_block(joint), sketch.theme.paper, thin));
     }
+    for (const Cylinder& cylinder : sketch.cylinders())
+        if (sketch.mechanism.joint(cylinder.joint).bodies[1] == body)
+            marks.emplace_back(panel(corners_of_barrel(sketch, cylinder), sketch.theme.paper, thin));
     for (Path& rim : rims_in(shape, thin)) marks.emplace_back(std::move(rim));
     for (Path& stroke : strokes_in(shape, thin)) marks.emplace_back(std::move(stroke));
     for (const Bar& slot : shape.slots) marks.emplace_back(line(slot.from, slot.to, thin));
@@ -105,6 +108,8 @@ void draw_in_grey(Sketch& sketch) {
         sketch.pins.emplace_back(ring(sketch.spot(joint), 0.9, sketch.theme.paper, thin));
         if (is_fixed_pin(joint)) draw_fixed_pin(sketch, joint.point);
     }
+    // What has a name is seen.
+    draw_free_points(sketch);
 }
 
 void draw_alone(Sketch& sketch, BodyIndex body) {

@@ -53,12 +53,16 @@ void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& mar
     marks.emplace_back(std::move(path));
 }
 
+std::vector<Spot> corners_of_barrel(const Layout& layout, const Cylinder& cylinder) {
+    const auto& [from, to] = cylinder.barrel;
+    const Spot w = layout.measures.sleeve_side * turned(direction(cylinder.barrel));
+    return {from + w, to + w, to - w, from - w};
+}
+
 /// Open at the rod's end except for the end wall.
 void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mark>& marks) {
     const BodyIndex body = sketch.mechanism.joint(cylinder.joint).bodies[1];
-    const auto& [from, to] = cylinder.barrel;
-    const Spot w = sketch.measures.sleeve_side * turned(direction(cylinder.barrel));
-    marks.emplace_back(panel({from + w, to + w, to - w, from - w}, sketch.theme.colour_of(body).tint,
+    marks.emplace_back(panel(corners_of_barrel(sketch, cylinder), sketch.theme.colour_of(body).tint,
                              sketch.pen_of(body, sketch.theme.vector)));
 }
 

@@ -33,6 +33,7 @@ void draw_guides(Sketch& sketch);
 
 // Slides. `marks` belong to the body that has the part.
 
+std::vector<Spot> corners_of_barrel(const Layout& layout, const Cylinder& cylinder);
 void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mark>& marks);
 /// A slot curved about a point; hatched if it belongs to the frame.
 void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& marks);

@@ -348,6 +348,38 @@ TEST(Symbols, a_driven_slide_between_pins_is_a_cylinder) {
     for (const Spot spot : piston) EXPECT_TRUE(inside(barrel, spot));
 }
 
+/// In any size of the drawing, as the list of bodies names them.
+TEST(Symbols, a_small_cylinder_is_one_too) {
+    for (const double room : {150.0, 60.0, 45.0}) {
+        const Drawn drawn(hydraulic, room);
+        const auto filled_of = [&](const std::string& link, bool stroked) {
+            std::size_t count = 0;
+            for (const Mark& mark : drawn.group(link))
+                if (const auto* path = std::get_if<Path>(&mark))
+                    count += path->filled && path->stroked == stroked ? 1 : 0;
+            return count;
+        };
+        EXPECT_EQ(filled_of("link-3", true), 1U) << room << ": a barrel";
+        EXPECT_EQ(filled_of("link-4", false), 1U) << room << ": a piston";
+    }
+}
+
+/// A guide with a point on each side of its slider: a barrel would leave out the one that the rod points to.
+TEST(Symbols, a_guide_that_goes_on_past_its_driven_slider_reaches_its_points) {
+    const Drawn drawn(R"("points": {"A": [0, 0], "P": [90, 0], "B": [150, 0]},
+        "bodies": {"2": ["A", "B"], "3": ["P"]},
+        "joints": [{"revolute": "A", "bodies": [1, 2]},
+                   {"prismatic": "P", "bodies": [3, 2], "along": ["A", "B"]}],
+        "drivers": [{"body": 2, "omega": 3}, {"joint": "P", "speed": 0.2}])");
+    for (const std::size_t end : {0U, 2U}) {
+        double nearest = 1e300;
+        for (const Mark& mark : drawn.group("link-2"))
+            if (const auto* path = std::get_if<Path>(&mark))
+                for (const Spot spot : outline(*path)) nearest = std::min(nearest, length(spot - drawn.points[end]));
+        EXPECT_LT(nearest, 2) << end;
+    }
+}
+
 TEST(Symbols, a_spring_ends_at_its_two_points) {
     const Drawn drawn(sprung);
     const std::vector<Mark> spring = drawn.group("spring-S");
