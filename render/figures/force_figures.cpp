@@ -831,13 +831,32 @@ bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bo
     return !inner_reaction && !again;
 }
 
-/// An arrow of fixed length at a distance from its point, pulling or pushing, where it crosses least.
-Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, const std::vector<Bar>& standing) {
+/// The length on paper of the rope of which it is the pull; 0: it is no pull between two points.
+double rope_of(const Sketch& sketch, const AppliedForce& applied) {
+    for (const Load& load : sketch.mechanism.loads)
+        if (const auto* pull = std::get_if<SpringLoad>(&load);
+            pull != nullptr && !pull->elastic && pull->magnitude.sign() > 0 && pull->name == name_of(applied.symbol))
+            return length(sketch.spot(pull->between[1]) - sketch.spot(pull->between[0]));
+    return 0;
+}
+
+/// An arrow of fixed length at a distance from its point, pulling or pushing, where it crosses least. `rope`: that it
+/// stands on, as far as its middle.
+Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, const std::vector<Bar>& standing,
+               double rope) {
+    constexpr double least = 7, between = 0.5;
+    const std::vector<double> stand_offs =
+        acts_at_centre(applied) ? std::vector<double>{2.2} : std::vector<double>{2.4, 7.0};
+    const double on_rope = 0.5 * rope - stand_offs.front() - between;
     constexpr double whole = 20;
     const Spot along = paper_direction(applied.force);
     const bool at_centre = acts_at_centre(applied);
+    if (on_rope > least) {
+        const Spot tail = at + stand_offs.front() * along;
+        return {tail, tail + std::min(on_rope, whole) * along};
+    }
     Cheapest<Bar> best;
-    for (const double stand_off : at_centre ? std::vector<double>{2.2} : std::vector<double>{2.4, 7.0})
+    for (const double stand_off : stand_offs)
         for (const bool pulls : {true, false}) {
             const Spot tail = pulls ? at + stand_off * along : at - (stand_off + whole) * along;
             const Bar arrow{tail, tail + whole * along};
@@ -858,7 +877,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
                 StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
     if (applied.force.is_zero()) return;
     const Spot at = sketch.spot(applied.at);
-    const Bar arrow = free_arrow(clutter, applied, at, standing);
+    const Bar arrow = free_arrow(clutter, applied, at, standing, rope_of(sketch, applied));
     standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
     const BodyColour colour = colour_of(applied, sketch.theme, body);
