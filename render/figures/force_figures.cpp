@@ -395,6 +395,10 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
+RichText couple_words(const DrawingContext& context, const AppliedForce& applied, bool says_value) {
+    return says_value ? couple_words(context, applied) : typeset(couple_symbol(applied), context.language);
+}
+
 /// A thin line from the moment centre to the line of a force, with its length.
 void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std::string& load,
               std::vector<Bar>& drawn) {
@@ -533,9 +537,7 @@ public:
         for (const AppliedForce& applied : body_.forces) {
             if (applied.couple.is_zero()) continue;
             const std::string couple = couple_of(force_binding(load_, body_, applied));
-            draw_couple(sketch_, clutter_,
-                        says_couples ? couple_words(sketch_.context, applied)
-                                     : typeset(couple_symbol(applied), sketch_.context.language),
+            draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied, says_couples),
                         sketch_.spot(applied.at), applied.couple.sign() > 0, colour_, applied.force_statement,
                         {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
@@ -908,14 +910,14 @@ void draw_resultants(Sketch& sketch, Clutter& clutter, const LoadCase& loads, co
             draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), i, sum), standing);
 }
 
-/// Those that the mechanism shows, with their values: no polygon has them. An arc goes round what stands there already.
-void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads) {
-    const double unit = sketch.mechanism.units.moment.si.to_double();
+/// Those that the mechanism shows. An arc goes round what stands there already.
+void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads, bool says_values) {
+    const double unit = says_values ? sketch.mechanism.units.moment.si.to_double() : 0;
     for (const FreeBody& body : loads.bodies())
         for (const AppliedForce& applied : body.forces) {
             if (applied.couple.is_zero() || !is_shown_on_mechanism(body, applied, loads.is_alone())) continue;
             const std::string couple = couple_of(force_binding(loads.load(), body, applied));
-            draw_couple(sketch, clutter, couple_words(sketch.context, applied), sketch.spot(applied.at),
+            draw_couple(sketch, clutter, couple_words(sketch.context, applied, says_values), sketch.spot(applied.at),
                         applied.couple.sign() > 0, sketch.theme.colour_of(body.body), applied.force_statement,
                         {couple, couple}, unit);
         }
@@ -1184,54 +1186,97 @@ bool has_meets(const LoadCase& loads, bool of_several) {
     });
 }
 
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, int part,
-                             const ScaleWish& wish) {
-    const Solution& solution = context.solution;
-    const LoadCase loads(solution, part);
-    const std::string& load = loads.load();
-    const Subject subject(solution);
-    const Meets meets = all_shown_meets(loads);
-    std::vector<Spot> places;
-    for (const FreeBody::Meet& meet : meets) places.push_back(paper_spot(meet.place));
-    const Box near = grown(subject.box, 0.7 * subject.size());
-    Box extent = with_near_places(subject.box, std::move(places), growth_for_places * subject.size());
-    for (const TakenTogether& together : loads.together())
-        if (together.funicular) include_strings(extent, *together.funicular, near);
-    const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0),
-                                      std::max(room_y - 24, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y},
-                           .first = std::max(first, wish.finest),
-                           .asked = wish.asked,
-                           .strict = wish.strict,
-                           .exactly = wish.exactly};
-    return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, load.empty() ? "" : element_of("load", load));
-        draw_in_colour(sketch, loads_that_act(loads));
+namespace {
+
+/// The mechanism with lines of action and the senses of forces.
+class ForcesOnMechanism {
+public:
+    ForcesOnMechanism(const DrawingContext& context, int part)
+        : context_(context),
+          loads_(context.solution, part),
+          subject_(context.solution),
+          meets_(all_shown_meets(loads_)),
+          blank_(begun(context, {FigureKind::lines_of_action, -1, part})) {
+        std::vector<Spot> places;
+        for (const FreeBody::Meet& meet : meets_) places.push_back(paper_spot(meet.place));
+        const Box near = grown(subject_.box, 0.7 * subject_.size());
+        extent_ = with_near_places(subject_.box, std::move(places), growth_for_places * subject_.size());
+        for (const TakenTogether& together : loads_.together())
+            if (together.funicular) include_strings(extent_, *together.funicular, near);
+    }
+
+    Figure draw(Spot room, const ScaleWish& wish) const {
+        const double first = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 14, 10.0),
+                                          std::max(room.y - 24, 10.0), std::nullopt);
+        const FitPolicy policy{.room = room,
+                               .first = std::max(first, wish.finest),
+                               .asked = wish.asked,
+                               .strict = wish.strict,
+                               .exactly = wish.exactly};
+        return fit(policy, [&](const Trial& trial) {
+            Figure figure = at_scale(trial, room, false);
+            if (!has_couples()) return figure;
+            // Values stand where the figure is no larger for them: the free bodies say them, too.
+            Figure valued = at_scale(trial, room, true);
+            constexpr double more = 1;
+            const bool is_larger =
+                valued.box.width() > figure.box.width() + more || valued.box.height() > figure.box.height() + more;
+            return is_larger ? figure : valued;
+        });
+    }
+
+private:
+    bool has_couples() const {
+        return std::any_of(loads_.bodies().begin(), loads_.bodies().end(), [](const FreeBody& body) {
+            return std::any_of(body.forces.begin(), body.forces.end(),
+                               [](const AppliedForce& applied) { return !applied.couple.is_zero(); });
+        });
+    }
+    /// `says_couples`: with the values of couples, which no polygon has.
+    Figure at_scale(const Trial& trial, Spot room, bool says_couples) const {
+        const std::string& load = loads_.load();
+        Sketch sketch(subject_, context_, trial.scale, load.empty() ? "" : element_of("load", load));
+        draw_in_colour(sketch, loads_that_act(loads_));
         name_points(sketch);
         Clutter clutter;
         clutter.add(sketch.bodies);
         clutter.add(sketch.ground);
-        const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
-        draw_action_lines(sketch, loads, meets, grown(drawn, line_overshoot + 4));
+        const Box drawn{(1 / trial.scale) * extent_.min, (1 / trial.scale) * extent_.max};
+        const Box view = grown(drawn, line_overshoot + 4);
+        draw_action_lines(sketch, loads_, meets_, view);
         std::vector<Bar> standing;
-        for (const FreeBody& body : loads.bodies())
+        for (const FreeBody& body : loads_.bodies())
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
-                    draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
+                    draw_sense(sketch, clutter, applied, context_.theme.colour_of(body.body), applied.force_statement,
                                force_binding(load, body, applied), standing);
-        draw_resultants(sketch, clutter, loads, grown(drawn, line_overshoot), standing);
-        draw_couples(sketch, clutter, loads);
+        draw_resultants(sketch, clutter, loads_, view, standing);
+        draw_couples(sketch, clutter, loads_, says_couples);
         std::vector<Bar> arms;
-        for (const FreeBody& body : loads.bodies())
+        for (const FreeBody& body : loads_.bodies())
             for (std::size_t i = 0; i < body.arms.size(); ++i)
                 if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
-        Figure figure = sketch.finish(begun(context, {FigureKind::lines_of_action, -1, part}), "m");
-        if (loads.is_alone()) figure.caption = one_piece(words_of_load(context, load));
-        if (!standing.empty()) figure.further_scale = word(lang::sheet::arrows_not_to_scale, context.language);
-        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length,
+        Figure figure = sketch.finish(blank_, "m");
+        if (loads_.is_alone()) figure.caption = one_piece(words_of_load(context_, load));
+        if (!standing.empty()) figure.further_scale = word(lang::sheet::arrows_not_to_scale, context_.language);
+        sketch.close(figure, room, trial.last || trial.asked, trial.scale, context_.solution.mechanism.units.length,
                      trial.strict);
         return figure;
-    });
+    }
+
+    const DrawingContext& context_;
+    LoadCase loads_;
+    Subject subject_;
+    Meets meets_;
+    Figure blank_;
+    Box extent_;
+};
+
+}  // namespace
+
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, int part,
+                             const ScaleWish& wish) {
+    return ForcesOnMechanism(context, part).draw({room_x, room_y}, wish);
 }
 
 namespace {
