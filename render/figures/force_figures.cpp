@@ -342,15 +342,18 @@ void draw_pressure_angle(Sketch& sketch, const AppliedForce& applied) {
 
 // --- arrows
 
-/// About the point of application of the couple, where it crosses least. `held`: bindings of point and couple; `unit`:
-/// of the moment in the text, in SI; 0: no value.
-void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive,
-                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit) {
+/// The arc of a couple, and the line that its name takes beside the middle of it.
+struct CoupleArc {
+    Arc arc;
+    Bar name;
+};
+
+/// About the point of application, where arc and name cross least.
+CoupleArc free_arc(const Sketch& sketch, const Clutter& clutter, const RichText& text, Spot at, bool positive) {
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
     constexpr double of_crossing = 4, of_covered_name = 2, of_millimetre = 0.02;
-    // The line that its name takes beside its middle, where no other arc may be.
     const double half = 0.5 * sketch.context.fonts.shape(text, sketch.theme.label).width;
     const auto room_of_name = [&](double radius, double from) {
         constexpr double gap = 3;
@@ -358,29 +361,35 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
         const Spot middle = at + (radius + gap) * out + Spot{half * std::clamp(2 * out.x, -1.0, 1.0), 0};
         return Bar{middle - Spot{half, 0}, middle + Spot{half, 0}};
     };
-    const auto past_the_side = [&, view = sketch.mechanism_box()](const Bar& name) {
+    const auto past_the_side = [view = sketch.mechanism_box()](const Bar& name) {
         return std::max(0.0, view.min.x - name.from.x) + std::max(0.0, name.to.x - view.max.x);
     };
-    Cheapest<Arc> best;
+    Cheapest<CoupleArc> best;
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
             const double from = step * pi_number / 6;
             const Bar name = room_of_name(radius, from);
-            const double price = 0.15 * (radius - 7) / 3.5 + of_covered_name * clutter.along(name.from, name.to) +
-                                 of_millimetre * past_the_side(name);
+            double price = 0.15 * (radius - 7) / 3.5 + of_millimetre * past_the_side(name);
+            if (price < best.price) price += of_covered_name * clutter.along(name.from, name.to);
+            if (price >= best.price) continue;
             const double enough = (best.price - price) / of_crossing;
             best.offer(price + of_crossing * clutter.along_arc(at, radius, from, by, enough),
-                       {at, radius, from, from + by});
+                       {{at, radius, from, from + by}, name});
         }
-    const Arc& arc = best.choice;
+    return best.choice;
+}
+
+/// `held`: bindings of point and couple; `unit`: of the moment in the text, in SI; 0: no value.
+void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, const CoupleArc& at, const BodyColour& colour,
+                 StatementIndex statement, std::vector<std::string> held, double unit) {
+    const Arc& arc = at.arc;
     const std::size_t first = sketch.arrows.size();
-    draw_arc_arrow(sketch.arrows, at, arc.radius, arc.from, arc.to, 0.5, colour.line);
+    draw_arc_arrow(sketch.arrows, arc.centre, arc.radius, arc.from, arc.to, 0.5, colour.line);
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, {Form::couple, held});
-    clutter.add_arc(at, arc.radius, arc.from, by);
-    const Bar name = room_of_name(arc.radius, arc.from);
-    clutter.add(name.from, name.to);
-    const Spot out = polar_spot(arc.from + by / 2), middle = at + arc.radius * out;
+    clutter.add_arc(arc.centre, arc.radius, arc.from, arc.to - arc.from);
+    clutter.add(at.name.from, at.name.to);
+    const Spot out = polar_spot(0.5 * (arc.from + arc.to)), middle = arc.centre + arc.radius * out;
     LabelRequest& label = sketch.add_label(text, colour.letter, middle, 1.5, statement);
     label.toward = middle + 4.0 * turned(out);
     label.holds = {Form::couple, std::move(held), 0, unit};
@@ -393,10 +402,6 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     const double value = (applied.couple / unit.si).to_double();
     append(text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
     return text;
-}
-
-RichText couple_words(const DrawingContext& context, const AppliedForce& applied, bool says_value) {
-    return says_value ? couple_words(context, applied) : typeset(couple_symbol(applied), context.language);
 }
 
 /// A thin line from the moment centre to the line of a force, with its length.
@@ -537,9 +542,11 @@ public:
         for (const AppliedForce& applied : body_.forces) {
             if (applied.couple.is_zero()) continue;
             const std::string couple = couple_of(force_binding(load_, body_, applied));
-            draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied, says_couples),
-                        sketch_.spot(applied.at), applied.couple.sign() > 0, colour_, applied.force_statement,
-                        {couple, couple}, says_couples ? unit_of_moment() : 0);
+            const RichText text = says_couples ? couple_words(sketch_.context, applied)
+                                               : typeset(couple_symbol(applied), sketch_.context.language);
+            draw_couple(sketch_, clutter_, text,
+                        free_arc(sketch_, clutter_, text, sketch_.spot(applied.at), applied.couple.sign() > 0), colour_,
+                        applied.force_statement, {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
         for (const AppliedForce& sum : sums_) {
@@ -725,7 +732,8 @@ private:
         AppliedForce couple = applied;
         couple.couple = *pair.couple;
         const std::string point = point_binding(sketch_.mechanism.joint(pair.joint).point), held = pair_binding(pair);
-        draw_couple(sketch_, clutter_, couple_words(sketch_.context, couple), at, pair.couple->sign() > 0, colour_,
+        const RichText words = couple_words(sketch_.context, couple);
+        draw_couple(sketch_, clutter_, words, free_arc(sketch_, clutter_, words, at, pair.couple->sign() > 0), colour_,
                     applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
@@ -910,16 +918,17 @@ void draw_resultants(Sketch& sketch, Clutter& clutter, const LoadCase& loads, co
             draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), i, sum), standing);
 }
 
-/// Those that the mechanism shows. An arc goes round what stands there already.
-void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads, bool says_values) {
-    const double unit = says_values ? sketch.mechanism.units.moment.si.to_double() : 0;
+/// Those that the mechanism shows, after its forces. Their values stand at the free bodies: here they would make the
+/// figure so wide that polygons become small.
+void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads) {
     for (const FreeBody& body : loads.bodies())
         for (const AppliedForce& applied : body.forces) {
             if (applied.couple.is_zero() || !is_shown_on_mechanism(body, applied, loads.is_alone())) continue;
+            const RichText text = typeset(couple_symbol(applied), sketch.context.language);
             const std::string couple = couple_of(force_binding(loads.load(), body, applied));
-            draw_couple(sketch, clutter, couple_words(sketch.context, applied, says_values), sketch.spot(applied.at),
-                        applied.couple.sign() > 0, sketch.theme.colour_of(body.body), applied.force_statement,
-                        {couple, couple}, unit);
+            draw_couple(sketch, clutter, text,
+                        free_arc(sketch, clutter, text, sketch.spot(applied.at), applied.couple.sign() > 0),
+                        sketch.theme.colour_of(body.body), applied.force_statement, {couple, couple}, 0);
         }
 }
 
@@ -1213,27 +1222,11 @@ public:
                                .asked = wish.asked,
                                .strict = wish.strict,
                                .exactly = wish.exactly};
-        return fit(policy, [&](const Trial& trial) {
-            Figure figure = at_scale(trial, room, false);
-            if (!has_couples()) return figure;
-            // Values stand where the figure is no larger for them: the free bodies say them, too.
-            Figure valued = at_scale(trial, room, true);
-            constexpr double more = 1;
-            const bool is_larger =
-                valued.box.width() > figure.box.width() + more || valued.box.height() > figure.box.height() + more;
-            return is_larger ? figure : valued;
-        });
+        return fit(policy, [&](const Trial& trial) { return at_scale(trial, room); });
     }
 
 private:
-    bool has_couples() const {
-        return std::any_of(loads_.bodies().begin(), loads_.bodies().end(), [](const FreeBody& body) {
-            return std::any_of(body.forces.begin(), body.forces.end(),
-                               [](const AppliedForce& applied) { return !applied.couple.is_zero(); });
-        });
-    }
-    /// `says_couples`: with the values of couples, which no polygon has.
-    Figure at_scale(const Trial& trial, Spot room, bool says_couples) const {
+    Figure at_scale(const Trial& trial, Spot room) const {
         const std::string& load = loads_.load();
         Sketch sketch(subject_, context_, trial.scale, load.empty() ? "" : element_of("load", load));
         draw_in_colour(sketch, loads_that_act(loads_));
@@ -1251,7 +1244,7 @@ private:
                     draw_sense(sketch, clutter, applied, context_.theme.colour_of(body.body), applied.force_statement,
                                force_binding(load, body, applied), standing);
         draw_resultants(sketch, clutter, loads_, view, standing);
-        draw_couples(sketch, clutter, loads_, says_couples);
+        draw_couples(sketch, clutter, loads_);
         std::vector<Bar> arms;
         for (const FreeBody& body : loads_.bodies())
             for (std::size_t i = 0; i < body.arms.size(); ++i)
