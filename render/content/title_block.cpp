@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "engine/solution/problem_kind.hpp"
+#include "lang/keys/equations.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
@@ -83,6 +84,7 @@ std::string subtitle_of(const Solution& solution, Language language) {
     return word(is_mixed(solution)                   ? lang::sheet::subtitle_mixed
                 : solution.truss                     ? subtitle_of_truss(*solution.truss)
                 : has_forces(solution)               ? lang::sheet::subtitle_forces
+                : solution.displacements             ? lang::equations::virtual_work
                 : solution.protocol.polygons.empty() ? lang::sheet::subtitle_pose
                 : acceleration                       ? lang::sheet::subtitle_acceleration
                                                      : lang::sheet::subtitle_velocity,

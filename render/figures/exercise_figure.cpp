@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "engine/mechanism/compound_units.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
@@ -114,19 +113,8 @@ private:
                                  unit.symbol));
         draw_arrow_at(sketch_.spot(force.at), along, std::move(text), sketch_.theme.colour_of(force.body));
     }
-    /// The arrows belong to the mechanism; this adds the intensities at both ends, or one value if they are equal.
-    void draw_load(const DistributedLoad& load) {
-        const bool even = load.intensity[0] == load.intensity[1];
-        for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-            if (load.intensity[end].is_zero() || (even && end == 1)) continue;
-            RichText text = one_piece(load.name, Face::italic);
-            append(text, value(load.intensity[end], unit_of_force_per_length(mechanism_.units)));
-            const Spot from = sketch_.spot(load.from), to = sketch_.spot(load.to);
-            const Spot along = paper_direction(direction_of(load.along, sketch_.subject.solution.pose));
-            const Spot foot = even ? 0.5 * (from + to) : end == 0 ? from : to;
-            sketch_.add_label(std::move(text), sketch_.theme.colour_of(load.body).letter, foot - 10.5 * along, 1.0);
-        }
-    }
+    /// The arrows belong to the mechanism.
+    void draw_load(const DistributedLoad& load) { name_intensities(sketch_, load); }
     /// The spiral belongs to the mechanism; its values are in the text.
     static void draw_load(const TorsionLoad& /*torsion*/) {}
     void draw_load(const CoupleLoad& couple) {

@@ -1229,7 +1229,11 @@ private:
     Figure at_scale(const Trial& trial, Spot room) const {
         const std::string& load = loads_.load();
         Sketch sketch(subject_, context_, trial.scale, load.empty() ? "" : element_of("load", load));
-        draw_in_colour(sketch, loads_that_act(loads_));
+        const auto acts = loads_that_act(loads_);
+        draw_in_colour(sketch, acts);
+        for (const Load& each : sketch.mechanism.loads)
+            if (const auto* distributed = std::get_if<DistributedLoad>(&each); distributed && acts(*distributed))
+                name_intensities(sketch, *distributed);
         name_points(sketch);
         Clutter clutter;
         clutter.add(sketch.bodies);

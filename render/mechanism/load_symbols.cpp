@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/mechanism/compound_units.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
@@ -78,6 +79,23 @@ void draw_distributed(Sketch& sketch, const DistributedLoad& load, std::vector<M
     }
     if (tails.size() > 1) layer.emplace_back(line(tails.front(), tails.back(), thin));
     layer.emplace_back(GroupEnd{});
+}
+
+void name_intensities(Sketch& sketch, const DistributedLoad& load) {
+    constexpr double over_tails = 10.5;  // mm
+    const Unit unit = unit_of_force_per_length(sketch.mechanism.units);
+    const Spot from = sketch.spot(load.from), to = sketch.spot(load.to);
+    const Spot along = paper_direction(direction_of(load.along, sketch.subject.solution.pose));
+    const bool even = load.intensity[0] == load.intensity[1];
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        if (load.intensity[end].is_zero() || (even && end == 1)) continue;
+        RichText text = one_piece(load.name, Face::italic);
+        append(text,
+               with_powers(" = " + given_number((load.intensity[end] / unit.si).to_double(), sketch.context.language) +
+                           " " + unit.symbol));
+        const Spot foot = even ? 0.5 * (from + to) : end == 0 ? from : to;
+        sketch.add_label(std::move(text), sketch.theme.colour_of(load.body).letter, foot - over_tails * along, 1.0);
+    }
 }
 
 }  // namespace kinegraph::render::drawing

@@ -93,5 +93,7 @@ void draw_gas_spring(Sketch& sketch, const SpringLoad& spring);
 void draw_torsion_spring(Sketch& sketch, const TorsionLoad& torsion);
 /// Arrows with the intensity line over them. Their size shows proportions only.
 void draw_distributed(Sketch& sketch, const DistributedLoad& load, std::vector<Mark>& layer);
+/// The intensities at both its ends, or one value if they are equal.
+void name_intensities(Sketch& sketch, const DistributedLoad& load);
 
 }  // namespace kinegraph::render::drawing
