@@ -1213,10 +1213,12 @@ test('a load is dragged by its tip: it turns, and the polygon follows', async ()
 for (const name of ['beam', 'truss_roof_wind', 'toggle_clamp', 'excavator_arm', 'exam_2001']) {
     test(`the record of ${name} has each force of its polygons where the sheet draws it`, async () => {
         await open(pageOf(name));
+        // A resultant has no record: it is seen where it was drawn only.
         const found = await see(`kinegraph.figures.filter(({id}) => /^(forces|closure)/.test(id)).flatMap((view) =>
             [...view.group.querySelectorAll(':scope > g.vector')].map((node) => {
                 const at = view.vector(node.dataset.name), axis = node.querySelector('line.axis');
-                return axis && [view.id, node.dataset.name, at && apart(minus(...at), minus(...endsOf(axis)))];
+                const isStill = !at && node.classList.contains('still') && node.dataset.name.startsWith('F_R');
+                return axis && !isStill && [view.id, node.dataset.name, at && apart(minus(...at), minus(...endsOf(axis)))];
             }).filter(Boolean))`);
         assert.ok(found.length > 2);
         for (const [figure, vector, off] of found) assert.ok(off !== null && off < 1e-3, `${figure} ${vector}: ${off} mm`);
