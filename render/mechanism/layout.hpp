@@ -44,7 +44,8 @@ struct Shape {
     std::vector<Bar> bars;
     std::vector<Bar> edges;   // knife edges, from the end of the bar to the tip
     std::vector<Spot> plate;  // convex hull; empty: none
-    bool solid = false;       // the plate is too slender to show its tint; its lines are full
+    bool slender = false;     // the plate is too slender to show its tint
+    bool solid = false;       // … and its lines are full
     std::vector<Bar> slots;   // centre lines of straight slots
     std::vector<Rim> rims;
     std::vector<Flat> flats;

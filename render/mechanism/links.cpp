@@ -126,7 +126,9 @@ void draw_link(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>& bel
     std::vector<Mark> marks;
     draw_profiles(sketch, body, marks);
     draw_crossings(sketch, body, below, marks);
-    if (!shape.plate.empty() && !shape.solid) sketch.tints.emplace_back(tinted(filled(shape.plate, colour.tint)));
+    if (!shape.plate.empty() && !shape.slender) sketch.tints.emplace_back(tinted(filled(shape.plate, colour.tint)));
+    // Ink in any theme, so that no name stands elsewhere in one with line kinds.
+    if (shape.slender && !shape.solid) marks.emplace_back(filled(shape.plate, colour.tint));
     draw_strokes(shape, {width_of(sketch, body), colour.line, {}, true}, marks);
     draw_line_kind(marks, 0, 0.5 * theme.link, colour, theme);
     for (const Cylinder& cylinder : sketch.cylinders())

@@ -211,8 +211,8 @@ private:
             shape_.bars.push_back(chord.bar);
         else
             shape_.plate = hull_of(corners_);
-        shape_.solid =
-            !shape_.plate.empty() && chord.deviation < 1.8 * l_.theme.link && l_.theme.body(body_).dashes.empty();
+        shape_.slender = !shape_.plate.empty() && chord.deviation < 1.8 * l_.theme.link;
+        shape_.solid = shape_.slender && l_.theme.body(body_).dashes.empty();
     }
 
     /// A bar that ends in a tip is shortened and pointed.
