@@ -17,11 +17,12 @@ constexpr double per_millimetre = 0.12;  // between stroke and arc, beyond the n
 constexpr double per_radius = 0.1;       // per mm off the radius that suits the length of the stroke
 constexpr double per_stroke = 0.2;       // at another stroke of the body than that to its first corner
 constexpr double behind_of_driver = 3;
-constexpr double behind = 0.1;                 // ends at the stroke instead of beginning there
-constexpr double elsewhere = 0.5;              // about another point than the pivot
-constexpr double about_a_wheel = 1;            // outside of a wheel instead of at its pivot
-constexpr double per_growth = 0.12;            // per mm by which its name makes the figure larger
-constexpr double farthest = 9, at_a_pin = 40;  // from the stroke, mm: along the arc, and where it is about a fixed pin
+constexpr double behind = 0.1;       // ends at the stroke instead of beginning there
+constexpr double elsewhere = 0.5;    // about another point than the pivot
+constexpr double about_a_wheel = 1;  // outside of a wheel instead of at its pivot
+constexpr double per_growth = 0.12;  // per mm by which its name makes the figure larger
+constexpr double farthest_arc = 9,
+                 at_a_pin = 40;  // from the stroke, mm: along the arc, and where it is about a fixed pin
 
 constexpr double longest = 11, widest = 1.05;  // of an arc: mm and radians
 constexpr double gap_to_stroke = 2.6;          // mm
@@ -82,8 +83,8 @@ void add_places_along(std::vector<ArcPlace>& places, const Layout& layout, Turni
         if (coincide(turning.pivot, layout.shape(turning.body).middle)) continue;
         for (const Spot end : {stroke.from, stroke.to})
             for (const double radius : {8.0, 6.0})
-                add_places(places, turning, {unit(end - turning.pivot), length(end - turning.pivot)}, radius, farthest,
-                           elsewhere + (radius < 8 ? per_radius : 0));
+                add_places(places, turning, {unit(end - turning.pivot), length(end - turning.pivot)}, radius,
+                           farthest_arc, elsewhere + (radius < 8 ? per_radius : 0));
     }
 }
 
@@ -112,7 +113,8 @@ std::vector<ArcPlace> places_of(const Layout& layout, const Turning& turning) {
     for (const Arm& arm : arms_of(layout, turning.body, turning.pivot)) {
         const double suits = std::clamp(0.4 * arm.reach, 8.0, 14.0), small = std::clamp(0.25 * arm.reach, 6.0, 8.0);
         for (const double radius : {suits, small, 11.0, std::clamp(arm.reach, 8.0, 19.0)})
-            add_places(places, turning, arm, radius, is_about_pin && of_arm == 0 && radius <= 11 ? at_a_pin : farthest,
+            add_places(places, turning, arm, radius,
+                       is_about_pin && of_arm == 0 && radius <= 11 ? at_a_pin : farthest_arc,
                        of_arm + per_radius * std::abs(radius - suits));
         of_arm += per_stroke;
     }
