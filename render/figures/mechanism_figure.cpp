@@ -254,7 +254,8 @@ private:
     /// a figure that has been drawn before are kept.
     Figure drawn(const Trial& trial, const MotionWish& arrows, Spot room_of_names, const Figure* before) const {
         Sketch sketch(subject, context, trial.scale, "");
-        sketch.space = room_of_names;
+        constexpr Spot overhang{0.2, 0.2};  // of letters beyond their boxes
+        sketch.space = room_of_names - overhang;
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
         draw_compass(sketch);
