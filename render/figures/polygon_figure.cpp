@@ -556,7 +556,7 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     size.extent_y = scene.height();
     size.subject = scene.longest;
     // So many names want room: in less, their leaders cross one another.
-    constexpr double a_crowd = 32, of_each = 2, most_of_them = 80;  // names; mm; mm
+    constexpr double a_crowd = 32, of_each = 2, most_of_them = 64;  // names; mm; mm
     const auto names = static_cast<double>(scene.vectors.size() + scene.images.size() + scene.lines.size());
     if (names > a_crowd) size.least = std::max(size.least, std::min(of_each * names, most_of_them));
     size.empty = scene.empty();
