@@ -202,10 +202,10 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                 }
         }
         EXPECT_FALSE(has_force_polygons(solution) && longest.empty() && of_closed.empty());
-        // A polygon that is finer would be less than 25 mm long at the scale of the others.
+        // A polygon that is finer would be less than 40 mm long at the scale of the others.
         for (const auto& [scale, value] : longest) {
             if (scale < longest.rbegin()->first) {
-                EXPECT_LT(value / longest.rbegin()->first, 25) << scale;
+                EXPECT_LT(value / longest.rbegin()->first, 40) << scale;
             }
         }
         EXPECT_LE(of_closed.size(), 1u);
