@@ -22,7 +22,7 @@ double without_last_bits(double value) {
 std::string shortest_scale(double value, Language language) {
     const std::string text = shortest(without_last_bits(value), language);
     // A scale derived from a file, such as 14 mm = 16.28 MN, may have no finite decimal.
-    constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
+    constexpr std::size_t longest = 11;  // 1.25 × 10⁻⁴
     return character_count(text) > longest ? number(value, 5, language) : text;
 }
 

@@ -73,14 +73,15 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * slightly_more,
                    std::clamp(static_cast<int>(-std::floor(nearest::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
-/// A scale without trailing zeros, 0.005; that of a file may have more digits, 1.1632.
+/// A scale without trailing zeros, 0.005 or 1.25 × 10⁻⁴; that of a file may have more digits, 1.1632.
 std::string round_number(double value, Language language) {
-    std::string text = number(value, 5, language);
+    const std::string text = number(value, 5, language);
     const char point = notation(language).decimal_mark;
-    if (text.find(point) == std::string::npos || text.find(' ') != std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == point) text.pop_back();
-    return text;
+    const std::string digits = text.substr(0, text.find(' '));  // without a power of ten
+    if (digits.find(point) == std::string::npos) return text;
+    std::size_t end = digits.find_last_not_of('0') + 1;
+    if (digits[end - 1] == point) --end;
+    return digits.substr(0, end) + text.substr(digits.size());
 }
 /// The common value of one millimetre of all rows that are read off; empty if they differ.
 std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
