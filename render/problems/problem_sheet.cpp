@@ -110,8 +110,11 @@ protected:
         const ProblemSection& section = sections_[s];
         std::vector<Item> all{
             {fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
-        for (const ProblemFigure& figure : section.figures)
-            all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
+        constexpr double most_upright = 1.1;  // of its width: a plot in a higher room would be all height
+        for (const ProblemFigure& figure : section.figures) {
+            const double height = std::min(figure_height * figure.height, most_upright * format_.measure);
+            all.push_back({figure_block(figure, format_.measure, height), s, 0, false});
+        }
         const auto add_pieces = [&](std::size_t after) {
             for (const PieceAfter& piece : section.pieces) {
                 // The sentence before a formula stays with it.
@@ -292,18 +295,20 @@ public:
           with_sentences_(options.with_sentences) {}
 
     std::vector<Page> pages() {
-        // Uses the greatest height of figures that needs no more pages than the least. The results get a column of
-        // their own if that adds no page.
-        constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
-        const std::size_t fewest = flow(items(heights.back()), false).size();
-        std::vector<std::vector<Mark>> best;
-        for (const double height : heights) {
-            const std::vector<Item> all = items(height);
-            best = flow(all, false);
-            if (best.size() > fewest) continue;
-            if (auto spread = flow(all, true); spread.size() == fewest) best = std::move(spread);
-            break;
+        // The greatest height of figures, in steps, that needs no more pages than the least. The results get a column
+        // of their own if that adds no page.
+        constexpr double least = 54, step = 4;  // mm
+        constexpr int steps = 30;               // up to the height of a page
+        const auto items_at = [&](int at) { return items(least + at * step); };
+        const std::size_t fewest = flow(items_at(0), false).size();
+        int good = 0;
+        for (int bad = steps + 1; bad - good > 1;) {
+            const int middle = (good + bad) / 2;
+            (flow(items_at(middle), false).size() > fewest ? bad : good) = middle;
         }
+        const std::vector<Item> all = items_at(good);
+        std::vector<std::vector<Mark>> best = flow(all, false);
+        if (auto spread = flow(all, true); spread.size() == fewest) best = std::move(spread);
         return framed(best);
     }
 
