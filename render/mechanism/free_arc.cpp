@@ -20,6 +20,7 @@ constexpr double behind_of_driver = 3;
 constexpr double behind = 0.1;       // ends at the stroke instead of beginning there
 constexpr double elsewhere = 0.5;    // about another point than the pivot
 constexpr double about_a_wheel = 1;  // outside of a wheel instead of at its pivot
+constexpr double past_another = 4;   // with another body between it and its stroke, whose arc it seems to be
 constexpr double per_growth = 0.12;  // per mm by which its name makes the figure larger
 constexpr double farthest_arc = 9,
                  at_a_pin = 40;  // from the stroke, mm: along the arc, and where it is about a fixed pin
@@ -53,6 +54,7 @@ std::vector<Arm> arms_of(const Layout& layout, BodyIndex body, Spot pivot) {
 struct ArcPlace {
     Arc arc;
     double price;
+    std::optional<Arc> to_stroke{};  ///< the way from its stroke, if it stands off
 };
 
 /// On paper y points down, so counter-clockwise is the negative sense.
@@ -67,9 +69,14 @@ void add_places(std::vector<ArcPlace>& places, const Turning& turning, const Arm
     const double stroke = angle_of(arm.along);
     for (double on = 0; on * radius <= most && std::abs(by) + gap + on < 2 * pi_number - gap; on += step_round) {
         const double away = turn * (gap + on), own = price + per_millimetre * on * radius;
-        places.push_back({{turning.pivot, radius, stroke + away, stroke + away + by}, own});
+        const auto way = [&](double sense) {
+            const double near = stroke + sense * turn * gap;
+            return on > 0 ? std::optional(Arc{turning.pivot, radius, near, stroke + sense * away}) : std::nullopt;
+        };
+        places.push_back({{turning.pivot, radius, stroke + away, stroke + away + by}, own, way(1)});
         places.push_back({{turning.pivot, radius, stroke - away - by, stroke - away},
-                          own + (turning.statement != none ? behind : behind_of_driver)});
+                          own + (turning.statement != none ? behind : behind_of_driver),
+                          way(-1)});
     }
 }
 
@@ -166,7 +173,9 @@ PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& 
     Cheapest<PlacedArc> best;
     for (const ArcPlace& place : places_of(sketch, turning)) {
         if (place.price >= best.price) break;
-        const double price = place.price + paper.price_of(place.arc, best.price - place.price);
+        double price = place.price + paper.price_of(place.arc, best.price - place.price);
+        if (price >= best.price) continue;
+        if (place.to_stroke && paper.price_of(*place.to_stroke, past_another) > 0) price += past_another;
         if (price >= best.price) continue;
         const auto room = room_for(paper, place.arc, name, clear_of_arc);
         const double of_name =
