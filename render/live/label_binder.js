@@ -286,7 +286,9 @@ export class LabelBinder {
         const setting = settings.findIndex(({name}) => text.startsWith(`${name.replace(/^([ωv]) /, '$1_')} = `));
         if (ground < 0 || setting < 0) return parts.forEach((part) => part.classList.add('still'));
         const off = minus(centre, this.view.point(ground)), down = 10 + box.height;
-        const sides = [off, {x: -off.x, y: off.y}, ...[0, off.x, -off.x].flatMap((x) => [{x, y: down}, {x, y: -down}])];
+        const places = [0, off.x, -off.x, box.width, -box.width].flatMap((x) =>
+            [down, 2 * down].flatMap((y) => [{x, y}, {x, y: -y}]));
+        const sides = [off, {x: -off.x, y: off.y}, ...places];
         this.placeLabel(parts, centre, box, () => {
             const isTrue = motion.settings[setting] === settings[setting].value;
             return isTrue ? sides.map((by) => along(this.view.point(ground), 1, by)) : [];
