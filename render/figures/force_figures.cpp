@@ -739,11 +739,12 @@ private:
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
         const Bar there{at, at + (arrow.to - arrow.from)};
-        draw_arrow(sketch_.arrows, there.from, there.to, sketch_.theme.thin, colour_.line);
+        // Grey: with its couple it stands for the single force, and does not act beside it.
+        draw_arrow(sketch_.arrows, there.from, there.to, sketch_.theme.thin, sketch_.theme.secondary);
         belong(sketch_.arrows, first, applied.force_statement);
         hang(sketch_.arrows, first, {Form::arrow, {point, held}});
-        LabelRequest& label = sketch_.add_label(typeset(applied.symbol, sketch_.context.language), colour_.letter,
-                                                middle(there), 1.5, applied.force_statement);
+        LabelRequest& label = sketch_.add_label(typeset(applied.symbol, sketch_.context.language),
+                                                sketch_.theme.secondary, middle(there), 1.5, applied.force_statement);
         label.toward = there.to;
         label.is_of_vector = true;
         label.holds = {Form::arrow, {point, held}};
