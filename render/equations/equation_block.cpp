@@ -94,20 +94,27 @@ Table columns_of(const Table& rows, std::size_t from, std::size_t to) {
 }
 
 /// To fit the measure, first the columns move closer, then everything is set smaller, as long as it can be read. A
-/// table that is still too wide is set in parts, one below the other, each with the first column.
+/// table that is still too wide is set in parts, one below the other, each with the first column. `add`: a block, and
+/// whether it stays with the block after it.
 void add_table(const DrawingContext& context, const EquationItem& item, double measure, NaturalBlocks& natural,
-               const std::function<void(Block)>& add) {
+               const std::function<void(Block, bool)>& add) {
+    const auto add_lines = [&](std::vector<Block> lines) {
+        constexpr std::size_t short_table = 6;  // lines, which stay together
+        const std::size_t together = lines.size() <= short_table ? lines.size() : 2;
+        for (std::size_t i = 0; i < lines.size(); ++i) add(std::move(lines[i]), i + 1 < together);
+    };
     const std::vector<Block>& wide = natural_of(context, item, natural);
     if (wide.front().width <= measure) {
-        for (const Block& line : wide) add(line);
+        add_lines(wide);
         return;
     }
     const double least_type = context.theme.block;  // pt; no other text of a sheet is smaller
     const auto set_within = [&](std::vector<Block> lines) {
         for (Block& line : lines) {
             const double share = std::min(1.0, measure / line.width);
-            add(scaled(std::move(line), share));
+            line = scaled(std::move(line), share);
         }
+        add_lines(std::move(lines));
     };
     std::vector<Block> closer = closer_lines_of(context, item.rows, measure);
     const std::size_t columns = item.rows.front().size();
@@ -129,9 +136,9 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
                                    NaturalBlocks& natural) {
     constexpr double indent = 3, air = 1.3;
     std::vector<Block> blocks;
-    bool announced = false;  // a sentence stays with the formula after it
-    const auto add = [&](Block block) {
-        if (!std::exchange(announced, false)) {
+    bool announced = false;  // a sentence stays with the formula after it, the head of a table with its rows
+    const auto add = [&](Block block, bool stays = false) {
+        if (!std::exchange(announced, stays)) {
             blocks.push_back(std::move(block));
             return;
         }
