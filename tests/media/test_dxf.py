@@ -96,8 +96,8 @@ def test_a_joint_is_where_it_is_in_the_svg(folder):
         # A circle of the SVG begins at its right end: "M x y A r r …".
         course = next(iter(group.iter(f"{SVG}path"))).get("d", "")
         x, y, _, radius, *_ = course.replace("M", "").replace("A", " A ").split()
-        centre = rounded(float(x) - float(radius), height - float(y), float(radius))
-        found = [rounded(*circle.dxf.center.vec2, circle.dxf.radius) for circle in circles
+        centre = (float(x) - float(radius), height - float(y), float(radius))
+        found = [(*circle.dxf.center.vec2, circle.dxf.radius) for circle in circles
                  if circle.has_xdata("KINEGRAPH") and circle.get_xdata("KINEGRAPH")[0].value == f"joint-{name}"]
         assert any(math.dist(each, centre) < 1e-4 for each in found), name
 
