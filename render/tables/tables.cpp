@@ -75,7 +75,7 @@ std::optional<Reading> reading_of(const ResultRow& row) {
 }
 /// A scale without trailing zeros, 0.005 or 1.25 × 10⁻⁴; that of a file may have more digits, 1.1632.
 std::string round_number(double value, Language language) {
-    const std::string text = number(value, 5, language);
+    std::string text = number(value, 5, language);
     const char point = notation(language).decimal_mark;
     const std::string digits = text.substr(0, text.find(' '));  // without a power of ten
     if (digits.find(point) == std::string::npos) return text;
