@@ -349,7 +349,7 @@ struct CoupleArc {
 };
 
 /// About the point of application, where arc and name cross least.
-CoupleArc free_arc(const Sketch& sketch, const Clutter& clutter, const RichText& text, Spot at, bool positive) {
+CoupleArc free_couple_arc(const Sketch& sketch, const Clutter& clutter, const RichText& text, Spot at, bool positive) {
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
@@ -545,8 +545,8 @@ public:
             const RichText text = says_couples ? couple_words(sketch_.context, applied)
                                                : typeset(couple_symbol(applied), sketch_.context.language);
             draw_couple(sketch_, clutter_, text,
-                        free_arc(sketch_, clutter_, text, sketch_.spot(applied.at), applied.couple.sign() > 0), colour_,
-                        applied.force_statement, {couple, couple}, says_couples ? unit_of_moment() : 0);
+                        free_couple_arc(sketch_, clutter_, text, sketch_.spot(applied.at), applied.couple.sign() > 0),
+                        colour_, applied.force_statement, {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
         // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
         for (const AppliedForce& sum : sums_) {
@@ -733,8 +733,8 @@ private:
         couple.couple = *pair.couple;
         const std::string point = point_binding(sketch_.mechanism.joint(pair.joint).point), held = pair_binding(pair);
         const RichText words = couple_words(sketch_.context, couple);
-        draw_couple(sketch_, clutter_, words, free_arc(sketch_, clutter_, words, at, pair.couple->sign() > 0), colour_,
-                    applied.force_statement, {point, couple_of(held)}, unit_of_moment());
+        draw_couple(sketch_, clutter_, words, free_couple_arc(sketch_, clutter_, words, at, pair.couple->sign() > 0),
+                    colour_, applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
@@ -928,7 +928,7 @@ void draw_couples(Sketch& sketch, Clutter& clutter, const LoadCase& loads) {
             const RichText text = typeset(couple_symbol(applied), sketch.context.language);
             const std::string couple = couple_of(force_binding(loads.load(), body, applied));
             draw_couple(sketch, clutter, text,
-                        free_arc(sketch, clutter, text, sketch.spot(applied.at), applied.couple.sign() > 0),
+                        free_couple_arc(sketch, clutter, text, sketch.spot(applied.at), applied.couple.sign() > 0),
                         sketch.theme.colour_of(body.body), applied.force_statement, {couple, couple}, 0);
         }
 }

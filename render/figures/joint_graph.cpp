@@ -157,7 +157,7 @@ private:
             const Spot middle = nodes_[i];
             const auto is_clear = [&](Spot at) {
                 return std::all_of(lines_.begin(), lines_.end(), [&](const GraphLine& each) {
-                    return each.to == i || distance(at, nodes_[each.from], nodes_[each.to]) > clear;
+                    return each.to == i || distance_to_segment(at, nodes_[each.from], nodes_[each.to]) > clear;
                 });
             };
             for (const Spot step : steps)
@@ -166,11 +166,6 @@ private:
                     break;
                 }
         }
-    }
-    /// Of a place from the straight line between two others.
-    static double distance(Spot at, Spot from, Spot to) {
-        const double share = std::clamp(dot(at - from, to - from) / dot(to - from, to - from), 0.0, 1.0);
-        return length(at - from - share * (to - from));
     }
 
     Spot across(const GraphLine& each) const {

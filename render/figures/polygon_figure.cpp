@@ -555,7 +555,8 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     size.extent_x = scene.width();
     size.extent_y = scene.height();
     size.subject = scene.longest;
-    // So many names want room: in less, their leaders cross one another.
+    // So many names want room: in less, their leaders cross one another. Fewer names would cost more pages than they
+    // are worth: from 24 on two of 153.
     constexpr double a_crowd = 32, of_each = 2, most_of_them = 64;  // names; mm; mm
     const auto names = static_cast<double>(scene.vectors.size() + scene.images.size() + scene.lines.size());
     if (names > a_crowd) size.least = std::max(size.least, std::min(of_each * names, most_of_them));

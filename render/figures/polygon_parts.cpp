@@ -228,15 +228,11 @@ private:
             return Spot{dot(spot - corner.at, corner.first), dot(spot - corner.at, corner.second)};
         };
         const Spot start = local(from), step = local(to) - start;
+        constexpr double low = 0.1 * corner_side, high = 1.2 * corner_side;
         double enter = 0, leave = 1;
-        const auto clip = [&](double at, double by) {
-            constexpr double low = 0.1 * corner_side, high = 1.2 * corner_side;
-            if (std::abs(by) < 1e-12) return at > low && at < high;
-            enter = std::max(enter, std::min((low - at) / by, (high - at) / by));
-            leave = std::min(leave, std::max((low - at) / by, (high - at) / by));
-            return enter < leave;
-        };
-        return clip(start.x, step.x) && clip(start.y, step.y);
+        keep_within(low, high, start.x, step.x, enter, leave);
+        keep_within(low, high, start.y, step.y, enter, leave);
+        return enter < leave;
     }
 
     void draw_shaft(std::vector<Mark>& marks, const PolygonPiece& piece, double width) const {

@@ -29,6 +29,13 @@ inline Spot unit(Spot a) {
 }
 /// A quarter turn clockwise on paper.
 inline Spot turned(Spot a) { return {-a.y, a.x}; }
+/// From a spot to the nearest place between two others.
+inline double distance_to_segment(Spot spot, Spot from, Spot to) {
+    const Spot along = to - from;
+    const double whole = dot(along, along);
+    const double share = whole > 0 ? std::clamp(dot(spot - from, along) / whole, 0.0, 1.0) : 0;
+    return length(spot - from - share * along);
+}
 /// polar_spot: the unit vector at an angle (radians, clockwise on paper). angle_of: its inverse, in (−π, π].
 inline Spot polar_spot(double angle) { return {nearest::cos(angle), nearest::sin(angle)}; }
 inline double angle_of(Spot a) { return nearest::atan2(a.y, a.x); }

@@ -10,10 +10,10 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double passage_gap = 3.5, rounding_grace = 1e-6;
-constexpr double two_lines = 7.5;                 // mm; rows lower than this do not stand alone in a column …
-constexpr std::size_t part_of_table = 5;          // … nor fewer rows of a table
-constexpr std::size_t least_under_a_heading = 2;  // rows: a step that stands alone under it is read before a figure
-constexpr double of_one_line = 1.5;  // of the lowest row of a table: a higher one has a cell of several lines
+constexpr double two_lines = 7.5;         // mm; rows lower than this do not stand alone in a column …
+constexpr std::size_t part_of_table = 5;  // … nor fewer rows of a table …
+constexpr std::size_t least_under = 2;  // … nor fewer rows under a heading: a single step below a figure is overlooked
+constexpr double of_one_line = 1.5;     // of the lowest row of a table: a higher one has a cell of several lines
 
 /// End of the group of rows that begins at `first` and stays together: the first rows of a passage stay with its
 /// heading, and no single line is left at the beginning or the end.
@@ -24,7 +24,7 @@ std::size_t end_of_group(const Passage& passage, double scale, std::size_t first
     };
     std::size_t end = first + 1;
     double height = rows[first].height() * scale;
-    while (first == 0 && end < rows.size() && (end < least_under_a_heading || !is_enough(end, height)))
+    while (first == 0 && end < rows.size() && (end < least_under || !is_enough(end, height)))
         height += rows[end++].height() * scale;
     double left = 0;
     std::size_t next = end;

@@ -19,7 +19,7 @@ constexpr double largest_of_scaled = 130;    // mm; a figure gains nothing from 
 constexpr double not_small = 24;             // mm; lengths can be read to half a percent
 constexpr double unreadable_of_forces = 25;  // mm; a smaller force polygon is drawn at a finer scale than the others …
 constexpr double readable_of_forces = 40;    // … as may one that is smaller than this, where the plan has room …
-constexpr double own_scale_of_forces = 60;   // … at which it is not larger than this;
+constexpr double own_scale_of_forces = 60;   // … at which it is not larger than this
 
 /// How long the longest vector is at least, mm, where it acts on something at this scale.
 double arrow_at(const Wanted& wanted, double scale) {

@@ -363,8 +363,8 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     return rows_for_a_filled_rest(index, passages, rows, fewest);
 }
 
-/// Fewer rows, up to the end of a passage, where the rest would leave most of its page white: the figures are larger
-/// for it.
+/// Fewer rows, without the last tables, where the rest would leave most of its page white: the figures are larger for
+/// it. Sentences stay beside their figures.
 std::size_t SheetPlan::rows_for_a_filled_rest(std::size_t index, const std::vector<BandTexts::RowsOfPassage>& passages,
                                               std::size_t rows, std::size_t fewest) {
     constexpr double filled = 0.4;  // of the page
@@ -376,10 +376,11 @@ std::size_t SheetPlan::rows_for_a_filled_rest(std::size_t index, const std::vect
         const ColumnText& text = now_.texts->of(rest, format_.columns, false);
         return text.whole_height() * text.measure() >= filled * content.width() * content.height();
     };
-    std::vector<std::size_t> ends{0};
-    for (const BandTexts::RowsOfPassage& passage : passages) ends.push_back(ends.back() + passage.count);
-    for (std::size_t p = ends.size(); p-- > 0 && !is_filled(rows);)
-        if (ends[p] < rows && ends[p] >= fewest) rows = ends[p];
+    std::size_t first = now_.texts->rows(bands_.list[index]);
+    for (std::size_t p = passages.size(); p-- > 0 && passages[p].is_table && !is_filled(rows);) {
+        first -= passages[p].count;
+        if (first >= fewest) rows = std::min(rows, first);
+    }
     return rows;
 }
 

@@ -31,12 +31,7 @@ Interval within(const Box& box, Spot from, Spot along) {
     return interval;
 }
 
-double distance(Spot spot, const Bar& bar) {
-    const Spot d = bar.to - bar.from;
-    const double whole = dot(d, d);
-    const double t = whole > 0 ? std::clamp(dot(spot - bar.from, d) / whole, 0.0, 1.0) : 0;
-    return length(spot - bar.from - t * d);
-}
+double distance(Spot spot, const Bar& bar) { return distance_to_segment(spot, bar.from, bar.to); }
 
 const Bar& longest_of(const std::vector<Bar>& bars) {
     return *std::max_element(bars.begin(), bars.end(),

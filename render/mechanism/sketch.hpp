@@ -104,8 +104,8 @@ struct MotionWish {
     std::size_t most_without_room = most_names;  ///< names of what is found that may stand away from their arcs
     std::vector<Symbol::Letter> found{};  ///< computed ω or α of the bodies, each with the statement that finds it
 };
-/// Draws them where they and their names meet nothing that is drawn so far. False, and not all are
-/// drawn, if too many names have no such place.
+/// Draws them where they and their names meet nothing that is drawn so far. False if too many names have no such place;
+/// not all are drawn then.
 bool draw_arrows_of_motion(Sketch& sketch, const MotionWish& wish);
 /// The statement that determines the angular velocity or acceleration of a body; none if there is no such statement.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);

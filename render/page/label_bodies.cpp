@@ -15,12 +15,6 @@ constexpr double own_object = 1.7;  // what lies nearer to the end of a leader b
 constexpr double seen_apart = 0.3;  // two distances that differ by less look the same, mm
 constexpr double passes = 1.3;      // nearer to a point than this a leader seems to end there, mm
 
-double distance(Spot spot, Spot from, Spot to) {
-    const Spot along = to - from;
-    const double t = std::clamp(dot(spot - from, along) / std::max(dot(along, along), 1e-12), 0.0, 1.0);
-    return length(spot - (from + t * along));
-}
-
 bool cross_each_other(Spot from, Spot to, const BodyStroke& stroke) {
     const auto side = [](Spot a, Spot b, Spot c) { return cross(b - a, c - a); };
     return side(from, to, stroke.from) * side(from, to, stroke.to) < 0 &&
@@ -34,7 +28,7 @@ double Bodies::near_another(const LabelRequest& request, const InkBox& box) cons
     double own = 1e300, other = 1e300;
     for (const BodyStroke& stroke : strokes_) {
         double& least = stroke.body == request.body ? own : other;
-        least = std::min(least, distance(box.centre, stroke.from, stroke.to));
+        least = std::min(least, distance_to_segment(box.centre, stroke.from, stroke.to));
     }
     return other < own - seen_apart ? at_another_body : 0;
 }
@@ -49,7 +43,8 @@ double Bodies::led_astray(std::size_t label, Spot from, Spot to) const {
             const BodyStroke& stroke = strokes_[end];
             is_crossed = is_crossed || cross_each_other(from, to, stroke);
             // A point belongs to all bodies that meet there.
-            is_own = is_own || (request.body == none && distance(request.anchor, stroke.from, stroke.to) < own_object);
+            is_own = is_own ||
+                     (request.body == none && distance_to_segment(request.anchor, stroke.from, stroke.to) < own_object);
         }
         if (is_crossed && !is_own) price += over_a_body;
     }
@@ -57,7 +52,7 @@ double Bodies::led_astray(std::size_t label, Spot from, Spot to) const {
         const LabelRequest& other = requests_[j];
         if (j == label || other.toward || other.balloon > 0 || length(other.anchor - request.anchor) < own_object)
             continue;
-        if (distance(other.anchor, from, to) < passes) price += past_a_point;
+        if (distance_to_segment(other.anchor, from, to) < passes) price += past_a_point;
     }
     return price;
 }

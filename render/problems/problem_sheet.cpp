@@ -308,7 +308,7 @@ public:
         }
         const std::vector<Item> all = items_at(good);
         std::vector<std::vector<Mark>> best = flow(all, false);
-        if (auto spread = flow(all, true); spread.size() == fewest) best = std::move(spread);
+        if (auto spread = flow(all, true); spread.size() == best.size()) best = std::move(spread);
         return framed(best);
     }
 

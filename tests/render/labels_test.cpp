@@ -66,11 +66,6 @@ bool holds(const Ink& ink, Spot spot, double margin) {
     const Spot d = spot - ink.centre;
     return std::abs(dot(d, ink.axis)) <= ink.half.x + margin && std::abs(cross(ink.axis, d)) <= ink.half.y + margin;
 }
-double distance_to_segment(Spot spot, Spot from, Spot to) {
-    const Spot d = to - from;
-    const double t = std::clamp(dot(spot - from, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
-    return length(spot - from - t * d);
-}
 
 void expect_clean(const Figure& figure, const std::vector<LabelRequest>& requests,
                   const std::vector<std::pair<Spot, Spot>>& strokes, double width) {

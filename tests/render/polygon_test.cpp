@@ -294,6 +294,25 @@ TEST(PolygonDetail, StandsApartFromAnother) {
             EXPECT_GT(length(details[i].centre - details[j].centre), details[i].radius + details[j].radius);
 }
 
+/// A figure of the parts with its details, which share its group's kind.
+Figure drawn_with_details(const DrawingContext& context, PolygonParts& parts, const std::string& kind,
+                          const std::string& unit) {
+    Figure figure;
+    figure.id = kind;
+    figure.unit = unit;
+    figure.marks.emplace_back(
+        GroupBegin{"figure", GroupId(kind), "", {{"data-figure", kind}, {"data-scale", "1"}, {"data-unit", unit}}});
+    set_side_by_side(parts);
+    std::size_t letters = 0;
+    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
+    EXPECT_EQ(details.size(), 1u);
+    draw_parts(figure, context, parts, details);
+    place_labels(figure, fonts());
+    figure.marks.emplace_back(GroupEnd{});
+    set_details(figure, context, parts, details, {200, 150}, letters);
+    return figure;
+}
+
 TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     const Solution& solution = example("four_bar");
     const Theme theme;
@@ -301,18 +320,7 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     PolygonParts parts;
     parts.vectors = {vector_of("v_A", {0, 0}, {100, 0}), vector_of("v_B", {0, 0}, {0, -4}),
                      vector_of("v_C", {0, -4}, {0.1, -4})};
-    Figure figure;
-    figure.id = "velocity";
-    figure.unit = "m/s";
-    figure.marks.emplace_back(GroupBegin{
-        "figure", GroupId("velocity"), "", {{"data-figure", "velocity"}, {"data-scale", "1"}, {"data-unit", "m/s"}}});
-    std::size_t letters = 0;
-    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
-    ASSERT_EQ(details.size(), 1u);
-    draw_parts(figure, context, parts, details);
-    place_labels(figure, fonts());
-    figure.marks.emplace_back(GroupEnd{});
-    set_details(figure, context, parts, details, {200, 150}, letters);
+    const Figure figure = drawn_with_details(context, parts, "velocity", "m/s");
     std::map<std::string, std::set<std::string>> drawn_in;
     std::map<std::string, double> longest;
     for (const VectorGroup& each : vectors_of(figure)) {
@@ -324,24 +332,6 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     EXPECT_EQ(drawn_in["v_C"], (std::set<std::string>{"velocity", "velocity-detail-I", "velocity-detail-II"}));
     EXPECT_GT(longest["v_C"], 4.6);
     expect_measures(figure);
-}
-
-/// A figure of the parts with its details, which share its group's kind.
-Figure drawn_with_details(const DrawingContext& context, PolygonParts& parts) {
-    Figure figure;
-    figure.id = "forces";
-    figure.unit = "N";
-    figure.marks.emplace_back(GroupBegin{
-        "figure", GroupId("forces"), "", {{"data-figure", "forces"}, {"data-scale", "1"}, {"data-unit", "N"}}});
-    set_side_by_side(parts);
-    std::size_t letters = 0;
-    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
-    EXPECT_EQ(details.size(), 1u);
-    draw_parts(figure, context, parts, details);
-    place_labels(figure, fonts());
-    figure.marks.emplace_back(GroupEnd{});
-    set_details(figure, context, parts, details, {200, 150}, letters);
-    return figure;
 }
 
 /// A stroke from the corner that a detail shows is the same there as in the figure: the last of those that coincide
@@ -358,7 +348,7 @@ TEST(PolygonDetail, HasEachSideInTheLineKindOfTheFigure) {
         outer.colour = theme.colour_of(BodyIndex(2));
         parts.vectors = {external_is_last ? inner : outer, external_is_last ? outer : inner,
                          vector_of("F_16", {80, 0}, {80, -1})};
-        const Figure figure = drawn_with_details(context, parts);
+        const Figure figure = drawn_with_details(context, parts, "forces", "N");
         int dashed = 0, whole = 0;
         for (const Mark& mark : figure.marks)
             if (const auto* path = std::get_if<Path>(&mark); path != nullptr && path->stroked) {
@@ -378,7 +368,7 @@ TEST(PolygonDetail, HasAsideWhatIsAsideInTheFigure) {
     PolygonParts parts;
     parts.vectors = {vector_of("F_g", {0, 80}, {0, 0}), vector_of("F_H", {0, 0}, {0, 2}),
                      vector_of("F_s", {0, 2}, {60, 80})};
-    const Figure figure = drawn_with_details(context, parts);
+    const Figure figure = drawn_with_details(context, parts, "forces", "N");
     std::map<bool, std::set<double>> upright;  // where the shafts of F_g and F_H stand; in the detail: true
     bool in_detail = false;
     for (const Mark& mark : figure.marks) {

@@ -98,12 +98,6 @@ std::vector<Stroke> strokes_of(const Path& path) {
     return strokes;
 }
 
-double distance_to_segment(Spot spot, Spot from, Spot to) {
-    const Spot d = to - from, there = spot - from;
-    const double t = std::clamp(dot(there, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
-    return length(there - t * d);
-}
-
 /// True if a stroke with its round ends covers part of a box.
 bool meets(const TurnedBox& box, const Stroke& stroke) {
     const auto local = [&](Spot spot) {
