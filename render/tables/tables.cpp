@@ -300,6 +300,7 @@ private:
     void add_bodies(Recorded<Exact> BodyMotion::*turning, const ResultKind& kind) {
         const Unit unit = unit_of(kind.unit, units_);
         const double si = unit.si.to_double();
+        const std::size_t first = rows_.size();
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
             const auto& value = solution_.bodies[b].*turning;
             if (!value) continue;
@@ -311,8 +312,23 @@ private:
             if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / si;
             row.unit = unit.symbol;
             row.group.section = kind.is_velocity() ? Topic::velocity : Topic::acceleration;
-            rows_.push_back(std::move(row));
+            add_to_its_like(std::move(row), first, [&](const ResultRow& other) {
+                return *value == *(solution_.bodies[at_index(other.quantity.body)].*turning);
+            });
         }
+    }
+
+    /// Behind the last row from `first` on that is like it; else at the end.
+    template <class IsLike>
+    void add_to_its_like(ResultRow row, std::size_t first, IsLike is_like) {
+        const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(first);
+        auto place = std::find_if(begin, rows_.end(), is_like);
+        if (place != rows_.end()) {
+            row.repeats = true;
+            do ++place;
+            while (place != rows_.end() && place->repeats);
+        }
+        rows_.insert(place, std::move(row));
     }
 
     /// Radii of curvature of paths that are not known in advance.
@@ -358,14 +374,15 @@ private:
         if (polygon.kind == Polygon::Kind::relative_motion) group = {Topic::relative_motion, index};
         const auto figure = std::find_if(figures_.begin(), figures_.end(),
                                          [&](const Figure& each) { return each.id == legal_id(polygon.id); });
-        std::set<std::string> names;
+        std::map<std::string, const DrawnVector*> arrows;  // by name
+        const std::size_t first = rows_.size();
         for (const int v : polygon.vectors) {
             const DrawnVector& vector = solution_.protocol.vectors[static_cast<std::size_t>(v)];
             ResultRow row;
             row.quantity = vector.quantity;
             row.symbol = vector.symbol;
             row.name = name_of(vector.symbol);
-            if (!names.insert(row.name).second) continue;
+            if (!arrows.emplace(row.name, &vector).second) continue;
             const Vector value = solution_.protocol.value_of(vector);
             row.drawing = kinegraph::length(value) / unit.si.to_double();
             const auto found = figure == figures_.end() ? std::nullopt : measured_on(*figure, row.name);
@@ -378,7 +395,12 @@ private:
             if (const auto numeric = checks_.of_vector(v)) row.numeric = *numeric / unit.si.to_double();
             row.unit = unit.symbol;
             row.group = group;
-            rows_.push_back(std::move(row));
+            add_to_its_like(std::move(row), first, [&](const ResultRow& other) {
+                const DrawnVector& like = *arrows.at(other.name);
+                return solution_.protocol.value_of(like) == value &&
+                       (value.is_zero() ||
+                        solution_.protocol.point(like.tail) - solution_.protocol.point(vector.tail) == Vector{});
+            });
         }
     }
 
@@ -398,12 +420,20 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
 /// The texts of its rows and the widths of its columns.
 struct ResultsTable::Parts {
     static constexpr double least_gap = 1.6, name_pitch = 4.4;  // mm
-    static constexpr std::size_t columns = 6;                   // quantity, mm, drawing, numeric, unit, difference
+    static constexpr const char* separator = ", ";
+    static constexpr std::size_t columns = 6;  // quantity, mm, drawing, numeric, unit, difference
     using Widths = std::array<double, columns>;
     struct Line {
         std::array<RichText, columns> cells;
-        bool begins = false;  ///< first of a group, with a rule above it
-        double name = 0;      ///< width of the first cell, mm
+        bool begins = false;   ///< first of a group, with a rule above it
+        bool repeats = false;  ///< as in its row
+        double name = 0;       ///< width of the first cell, mm
+    };
+    /// Rows that stand in one line of the table.
+    struct Joined {
+        const Line* first = nullptr;
+        std::size_t count = 1;
+        double name = 0;  ///< width of their names, mm
     };
 
     Parts(const DrawingContext& drawing, const std::vector<ResultRow>& rows) : context(drawing) {
@@ -431,10 +461,21 @@ struct ResultsTable::Parts {
         }
         lines.reserve(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            Line& line = lines.emplace_back(line_of(rows[i], largest[{rows[i].group, rows[i].unit}]));
+            Line& line = lines.emplace_back(line_of(with_worst_check(rows, i), largest[{rows[i].group, rows[i].unit}]));
             line.begins = i > 0 && rows[i].group != rows[i - 1].group;
+            line.repeats = rows[i].repeats;
             measure(line, symbol_size(), context.theme.body_text);
         }
+    }
+
+    /// A line that several rows share shows the number of the check that differs most.
+    static ResultRow with_worst_check(const std::vector<ResultRow>& rows, std::size_t i) {
+        ResultRow row = rows[i];
+        for (++i; i < rows.size() && rows[i].repeats; ++i)
+            if (const std::optional<double>& other = rows[i].numeric;
+                other && (!row.numeric || std::abs(*other - row.drawing) > std::abs(*row.numeric - row.drawing)))
+                row.numeric = other;
+        return row;
     }
 
     double symbol_size() const { return context.theme.body_text + 0.5; }
@@ -445,23 +486,50 @@ struct ResultsTable::Parts {
             widths[c] = std::max(widths[c], width);
         }
     }
-    /// Width available to names beside the numbers, out of `width` mm. Longer names, which are words, stand above their
-    /// numbers; symbols get a wider column instead. Readings have the room that those of any scale take, so that the
-    /// table is as high where its page is planned as where it is drawn.
-    double room_of_names(double width) const {
-        constexpr double of_symbols = 22;
+    /// Width that is left to names beside the numbers, out of `width` mm. Readings have the room that those of any
+    /// scale take, so that the table is as high where its page is planned as where it is drawn.
+    double rest_of(double width) const {
         const auto sample = [&](const char* text) {
             return context.fonts.width(with_powers(text), context.theme.body_text);
         };
         const Widths readings{0, sample("000.0"), widths[3], 0, 0, sample("+00.00")};
         double rest = width - least_gap * (columns - 1);
         for (std::size_t c = 1; c < columns; ++c) rest -= std::max(widths[c], readings[c]);
+        return rest;
+    }
+    /// The width that names have. Longer names, which are words, stand above their numbers; symbols get a wider column
+    /// instead.
+    static double room_of_names(double rest) {
+        constexpr double of_symbols = 22;
         return std::max(rest, of_symbols);
+    }
+    /// What repeats, in as few lines as its names have room for in `rest` mm.
+    std::vector<Joined> joined(double rest) const {
+        constexpr double of_a_detail = 5;  // mm: a name grows by it where it is read in a detail
+        const double comma = context.fonts.width(one_piece(separator), symbol_size());
+        std::vector<Joined> all;
+        for (const Line& line : lines) {
+            if (line.repeats && all.back().name + comma + line.name + of_a_detail <= rest) {
+                ++all.back().count;
+                all.back().name += comma + line.name;
+            } else {
+                all.push_back({&line, 1, line.name});
+            }
+        }
+        return all;
+    }
+    static RichText name_of(const Joined& all) {
+        RichText names = all.first->cells[0];
+        for (const Line* line = all.first + 1; line < all.first + all.count; ++line) {
+            names.push_back(one_piece(separator).front());
+            names.insert(names.end(), line->cells[0].begin(), line->cells[0].end());
+        }
+        return names;
     }
     /// `most`: the largest number of its group.
     Line line_of(const ResultRow& row, double most) const;
     /// Sets the marks of a line whose columns begin at `left`.
-    void set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
+    void set(std::vector<Mark>& marks, const Joined& of, const Widths& left, double baseline) const;
     /// The same for a line whose name stands above its numbers, within `whole` mm.
     void set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole, double baseline) const;
     void set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
@@ -509,10 +577,10 @@ ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, dou
              with_powers(row.numeric ? value(*row.numeric) : "–"), with_powers(row.unit), with_powers(difference)}};
 }
 
-void ResultsTable::Parts::set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const {
-    const double size = &line == &head ? context.theme.small : symbol_size();
-    set_text(marks, context.fonts.shape(line.cells[0], size), {left[0], baseline}, context.theme.text, "text");
-    set_numbers(marks, line, left, baseline);
+void ResultsTable::Parts::set(std::vector<Mark>& marks, const Joined& of, const Widths& left, double baseline) const {
+    const double size = of.first == &head ? context.theme.small : symbol_size();
+    set_text(marks, context.fonts.shape(name_of(of), size), {left[0], baseline}, context.theme.text, "text");
+    set_numbers(marks, *of.first, left, baseline);
 }
 
 void ResultsTable::Parts::set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole,
@@ -547,13 +615,12 @@ ResultsTable::ResultsTable(const DrawingContext& context, const std::vector<Resu
 std::vector<SharedBlock> ResultsTable::lines(double width) const {
     constexpr double head_height = 4.8, over_group = 0.4, under_last = 0.8;
     Parts::Widths widths = parts_->widths;
-    const double most_of_name = parts_->room_of_names(width);
-    const auto is_over = [most_of_name](const Parts::Line& each) { return each.name > most_of_name; };
-    if (widths[0] > most_of_name) {
-        widths[0] = 0;
-        for (const Parts::Line& each : parts_->lines)
-            if (!is_over(each)) widths[0] = std::max(widths[0], each.name);
-    }
+    const double rest = parts_->rest_of(width), most_of_name = Parts::room_of_names(rest);
+    const auto is_over = [most_of_name](const Parts::Joined& each) { return each.name > most_of_name; };
+    const std::vector<Parts::Joined> joined = parts_->joined(rest);
+    widths[0] = parts_->head.name;
+    for (const Parts::Joined& each : joined)
+        if (!is_over(each)) widths[0] = std::max(widths[0], each.name);
     const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), 0.0); };
     const auto gap_in = [&] { return std::clamp((width - total()) / 5, Parts::least_gap, 9.0); };
     // The factor of the readings stands in the head above names and lengths: they leave it room where there is some.
@@ -566,31 +633,31 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
     for (std::size_t c = 1; c < Parts::columns; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
     const double whole = left.back() + widths.back();
 
-    const auto line = [parts = parts_, left, whole, is_over](const Parts::Line& each, double height, bool is_last) {
+    const auto line = [parts = parts_, left, whole, is_over](const Parts::Joined& of, double height, bool is_last) {
         const Theme& theme = parts->context.theme;
+        const Parts::Line& each = *of.first;
         std::vector<Mark> marks;
         marks.reserve(Parts::columns + 3);  // including rules
         const bool is_head = &each == &parts->head;
         if (is_head) marks.emplace_back(rule(0, whole, 0, theme.outline, theme.text));
         if (each.begins) marks.emplace_back(rule(0, whole, over_group, theme.thin, theme.secondary));
         const double baseline = is_head ? 3.4 : (each.begins ? over_group : 0) + 3.3;
-        if (is_over(each))
+        if (is_over(of))
             parts->set_over(marks, each, left, whole, baseline);
         else
-            parts->set(marks, each, left, baseline);
+            parts->set(marks, of, left, baseline);
         if (is_head) marks.emplace_back(rule(0, whole, head_height, theme.thin, theme.text));
         if (is_last) marks.emplace_back(rule(0, whole, height + 0.6, theme.outline, theme.text));
         return marks;
     };
-    const auto add = [&](std::vector<SharedBlock>& set, const Parts::Line& each, double height, bool is_last) {
-        set.emplace_back(whole, height + (is_last ? under_last : 0),
-                         [=, &each] { return line(each, height, is_last); });
+    const auto add = [&](std::vector<SharedBlock>& set, const Parts::Joined& each, double height, bool is_last) {
+        set.emplace_back(whole, height + (is_last ? under_last : 0), [=] { return line(each, height, is_last); });
     };
     std::vector<SharedBlock> set;
-    add(set, parts_->head, head_height, parts_->lines.empty());
-    for (const Parts::Line& each : parts_->lines)
-        add(set, each, pitch + (each.begins ? over_group : 0) + (is_over(each) ? Parts::name_pitch : 0),
-            &each == &parts_->lines.back());
+    add(set, {&parts_->head}, head_height, joined.empty());
+    for (const Parts::Joined& each : joined)
+        add(set, each, pitch + (each.first->begins ? over_group : 0) + (is_over(each) ? Parts::name_pitch : 0),
+            &each == &joined.back());
     return set;
 }
 

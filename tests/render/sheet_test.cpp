@@ -317,6 +317,44 @@ TEST(Results, AreMeasuredOnTheDrawing) {
     EXPECT_GE(vectors, 10);
 }
 
+/// What repeats has the reading of its like, and stands in its line where the table is not wider for it.
+TEST(Results, OfOneArrowShareALine) {
+    std::size_t shared = 0;
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        const Theme theme;
+        const DrawingContext context{solution, theme, fonts(), Language::en};
+        std::vector<Figure> figures;
+        for (int p = 0; p < static_cast<int>(solution.protocol.polygons.size()); ++p)
+            figures.push_back(polygon_figure(context, p, 150, 100));
+        const std::vector<ResultRow> rows = result_rows(context, figures);
+        std::vector<ResultRow> apart = rows;
+        std::size_t repeated = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            apart[i].repeats = false;
+            if (!rows[i].repeats) continue;
+            ++repeated;
+            ASSERT_GT(i, 0U);
+            EXPECT_EQ(rows[i].group, rows[i - 1].group) << name << ": " << rows[i].name;
+            EXPECT_EQ(rows[i].unit, rows[i - 1].unit) << name << ": " << rows[i].name;
+            EXPECT_EQ(rows[i].drawing, rows[i - 1].drawing) << name << ": " << rows[i].name;
+            EXPECT_EQ(rows[i].millimetres, rows[i - 1].millimetres) << name << ": " << rows[i].name;
+        }
+        const ResultsTable joined(context, rows), single(context, apart);
+        constexpr double wide = 400;  // mm: all names have room
+        EXPECT_EQ(joined.lines(wide).size() + repeated, single.lines(wide).size()) << name;
+        const auto width = [](const std::vector<SharedBlock>& lines) {
+            double most = 0;
+            for (const SharedBlock& line : lines) most = std::max(most, line.width());
+            return most;
+        };
+        for (const double column : {40.0, 55.0, 80.0})
+            EXPECT_LE(width(joined.lines(column)), std::max(width(single.lines(column)), column) + 1e-9) << name;
+        shared += repeated;
+    }
+    EXPECT_GE(shared, 50U);
+}
+
 /// Whatever is drawn of a motion that the check determines has its own number beside it: of two slidings at one point,
 /// of an auxiliary point, of a place on a guide, of an equivalent link too. A component along a line alone has none.
 TEST(Results, AreBesideTheirOwnNumbers) {
