@@ -127,15 +127,44 @@ double ColumnText::height_found(std::size_t columns) const {
     return heights_[columns] = height(TextColumns(columns));
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const {
+namespace {
+
+/// A column and what it takes: the height without additional space, and how often a passage follows another.
+struct Taken {
+    double height = 0;
+    int gaps = 0;
+};
+
+}  // namespace
+
+void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose, double room) const {
     constexpr double most_air = 1.5;  // mm, below a long sentence
-    double air = 0;                   // above a row: the sum over all rows above it in its column
-    flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
+    constexpr double most_between_passages = 14;
+    const double least = height(columns);
+    std::vector<Taken> taken(columns.size());
+    const auto air_under = [&](const SharedBlock& block) { return std::min(loose * height_of(block), most_air); };
+    flow(columns, least, [&](const Group& group, bool turns, std::size_t column, double y) {
+        const Passage& passage = passages_[group.passage];
+        Taken& own = taken[column];
+        if (group.first == 0 && y > 0) own.gaps += 1, own.height += passage_gap;
+        const auto add = [&](const SharedBlock& block) { own.height += height_of(block) + air_under(block); };
+        if (group.first == 0) add(passage.heading);
+        if (group.first == 0 || turns) add(passage.head);
+        for (std::size_t i = group.first; i < group.end; ++i) add(passage.rows[i]);
+    });
+    // What a column leaves white is divided between its passages and its end.
+    const auto between = [&](std::size_t column) {
+        const double left = room - columns[column].top - columns[column].lift - taken[column].height;
+        return std::clamp(left / (taken[column].gaps + 1), 0.0, most_between_passages);
+    };
+    double air = 0;  // above a row: the sum over all rows above it in its column
+    flow(columns, least, [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
         if (turns) air = 0;
+        if (group.first == 0 && y > 0) air += between(column);
         Spot corner{at.x + columns[column].x, at.y + columns[column].top + y + air};
         const auto put = [&](const SharedBlock& block) {
-            const double under = std::min(loose * height_of(block), most_air);
+            const double under = air_under(block);
             render::set(marks, scaled(block.set(), scale_), corner);
             corner.y += height_of(block) + under;
             air += under;
@@ -146,10 +175,10 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& colum
     });
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const {
+void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose, double room) const {
     TextColumns all;
     for (int i = 0; i < columns; ++i) all.push_back({i * (measure_ + between), 0, 0});
-    set(marks, at, all, loose);
+    set(marks, at, all, loose, room);
 }
 
 }  // namespace kinegraph::render

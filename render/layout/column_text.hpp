@@ -36,13 +36,14 @@ public:
         const auto index = static_cast<std::size_t>(columns);
         return index < heights_.size() && heights_[index] >= 0 ? heights_[index] : height_found(index);
     }
-    /// `loose`: the greatest additional space between rows, as a fraction of their height.
-    void set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const;
+    /// `loose`: the greatest additional space between rows, as a fraction of their height; `room`: the height that its
+    /// columns may take, some of which spaces its passages.
+    void set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose, double room) const;
 
     /// The same for columns of different tops and ends, from the first to the last.
     bool fits(const TextColumns& columns, double height) const;
     double height(const TextColumns& columns) const;
-    void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const;
+    void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose, double room) const;
     /// The height in a single column.
     double whole_height() const;
     /// A lower bound of the sum of the heights of `columns` columns: the space between two passages may vanish at the

@@ -55,10 +55,11 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
 double width_beside(const Figure& figure, const Block& block) {
     const Box& box = figure.box;
     if (block.height > box.height()) return std::numeric_limits<double>::infinity();
-    double least = block.width + clear;
+    double least = std::numeric_limits<double>::infinity();
     const std::vector<Spot> spots = covered(figure.marks);
     for (const bool bottom : {false, true}) {
-        // Free widths left and right of what is drawn at the height of the block.
+        // Free widths left and right of what is drawn at the height of the block; less than none where a stroke's edge
+        // is outside of the box.
         double left = box.width(), right = box.width();
         for (const Spot& spot : spots) {
             const double down = bottom ? box.max.y - spot.y : spot.y - box.min.y;

@@ -204,7 +204,7 @@ void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale
         set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at,
                     is_below ? below : band.height(loose) - band.block + spare);
     }
-    if (has_text) set_text(marks, band, at, below, loose);
+    if (has_text) set_text(marks, band, at, below, loose, band.height(loose) + spare);
     marks.emplace_back(GroupEnd{});
 }
 
@@ -254,19 +254,21 @@ void SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& sc
     }
 }
 
-void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose) {
+/// `height`: of the band.
+void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose,
+                          double height) {
     const PlacedBand& placed = *band.placed;
     const BandLayout& layout = band.layout;
     const ColumnText& planned = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
     const ColumnText& measured = contents_.text.of(contents_.bands.list[placed.band], layout);
     if (layout.under > 0) {
-        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch),
-                     loose);
+        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch), loose,
+                     height);
     } else {
         const double width = layout.columns * (planned.measure() + gap) - gap;
         const Spot corner = layout.beside ? Spot{placed.room.max.x - width, at.y}
                                           : Spot{at.x, at.y + below + (below > 0 ? text_gap : 0)};
-        measured.set(marks, corner, layout.columns, gap, loose);
+        measured.set(marks, corner, layout.columns, gap, loose, height - (corner.y - at.y) - band.below);
     }
 }
 

@@ -75,7 +75,7 @@ private:
     double spare_above_text(const Standing& band, double most, double loose, double spare) const;
     void set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
                      std::vector<DrawnFigure>& figures, bool stacked, Spot at, double height);
-    void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose);
+    void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose, double height);
 
     const DrawingContext& context_;
     const SheetFormat& format_;
