@@ -102,20 +102,6 @@ bool MeasuredFigures::may_grow(std::size_t figure) const {
     return !is_kept && !is_bound && !wanted.empty && !wanted.spare && !wanted.asked && wanted.extent() >= nothing;
 }
 
-bool MeasuredFigures::is_small(std::size_t figure, const FigureSize& size) const {
-    const Wanted& wanted = wanted_.list[figure];
-    return may_grow(figure) && !(wanted.arrow > 0) && row_of(wanted.id.kind).traits.measured != QuantityKind::length &&
-           wanted.extent_of_subject() / size.scale < hardly_measured;
-}
-
-std::vector<FigureSize> MeasuredFigures::sizes_between(std::size_t figure, double scale) {
-    std::vector<FigureSize> sizes;
-    if (wanted_.list[figure].to_force_scale) return sizes;
-    for (const double each : scales_between(finer_scale(scale), scale))
-        measure(sizes, figure, {each, page(), {.finest = each, .exactly = true}}, Range::usual);
-    return sizes;
-}
-
 std::vector<FigureSize> MeasuredFigures::grown(std::size_t figure, const FigureSize& now, const Growth& growth) {
     const Wanted& wanted = wanted_.list[figure];
     std::vector<FigureSize> sizes;

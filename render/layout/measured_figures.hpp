@@ -50,11 +50,6 @@ public:
     /// The common scales of force polygons that a plan may choose from, the finest first. Empty: there are no force
     /// polygons, or the file gives their scale.
     std::vector<double> force_scales() const;
-    /// Whether it is a polygon that could hardly be measured at this size.
-    bool is_small(std::size_t figure, const FigureSize& size) const;
-    /// Its sizes at the scales between this one and the next finer one of the series, if they are not those of a
-    /// drawing or to the common scale of forces.
-    std::vector<FigureSize> sizes_between(std::size_t figure, double scale);
     /// Where a figure may grow: the room of its band, the part of it that nothing covers, mm², and the size, mm, that
     /// is large enough.
     struct Growth {

@@ -16,7 +16,7 @@ constexpr double step = 3;       // mm; all heights are multiples of it
 constexpr int least_height = 5;  // of a band, in steps
 constexpr int gap_steps = 2;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
-constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
+constexpr std::size_t most_cells = 4, most_in_a_cell = 3, most_in_a_row = 5, most_on_a_page = 8;
 constexpr double spaced = 12;  // mm, about what rows and figures are spaced by
 constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
 
@@ -80,22 +80,27 @@ public:
                         fillings_[static_cast<std::size_t>(count)].push_back(each);
             }
         curves_.resize(bands.size() * stands_.size());
-        pairs_.resize(bands.size() * stands_.size());
+        stacks_.resize(bands.size() * stands_.size() * (most_in_a_cell + 1));
         rows_.resize(bands.size() * (most_in_a_row + 1) * 2);
     }
 
     PagePlan plan() {
         const std::size_t n = bands_.size();
         for (std::size_t first = 0; first < n; ++first) tables_.push_back(tables(first));
-        std::vector<Rest> rest = fewest_pages();
-        if (!rest[0].is_reached) return {};
-        for (std::size_t first = n; first-- > 0;)
-            if (rest[first].is_reached)
-                for_each_page(rest, first, [&](std::size_t end, double score) {
-                    const double all = score + rest[end].score - price_of_emptiness(first, end);
-                    if (all > rest[first].score) rest[first].score = all, rest[first].end = end;
-                });
+        std::vector<Rest> rest(n + 1);
+        rest[n].score = 0;
+        for (std::size_t first = n; first-- > 0;) {
+            const std::vector<State>& ends = tables_[first].second;
+            for (std::size_t k = ends.size(); k-- > 1;) {
+                if (ends[k].score < possible || rest[first + k].score < possible) continue;
+                const double most = ends[k].score + rest[first + k].score - format_.price_of_a_page;
+                if (!(most > rest[first].score)) continue;
+                const double all = most - price_of_emptiness(first, first + k);
+                if (all > rest[first].score) rest[first] = {all, first + k};
+            }
+        }
         PagePlan plan{{}, rest[0].score};
+        if (rest[0].score < possible) return plan;
         for (std::size_t first = 0; first < n; first = rest[first].end)
             plan.pages.push_back(page(first, rest[first].end));
         return plan;
@@ -119,12 +124,11 @@ private:
     struct Curve {
         const WorthByHeight* score = nullptr;
         std::vector<int> changes{};  ///< heights at which the score differs from that of one step less
-        bool never_falls = true;
     };
-    /// Two bands, one below the other, by their total height.
-    struct Pair {
+    /// Bands one below the other, by their total height.
+    struct Stack {
         WorthByHeight score{};
-        std::vector<int> upper{};  ///< height of the upper one
+        std::vector<int> upper{};  ///< height of the uppermost
     };
     /// The best rows that end before a given band, for a given height of all rows.
     struct State {
@@ -135,43 +139,16 @@ private:
     using Table = std::vector<std::vector<State>>;  // by number of bands, by height used
     /// The best pages from a given band on.
     struct Rest {
-        static constexpr int none = 1 << 20;
-        int pages = none;
-        bool is_reached = false;  ///< a plan with the fewest pages has a page that begins here
         double score = impossible;
         std::size_t end = 0;  ///< end of the first of these pages
     };
-
-    /// Calls look(end, worth) for each page that begins with `first` and belongs to a plan with the fewest pages.
-    template <class Look>
-    void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
-        const std::vector<State>& ends = tables_[first].second;
-        for (std::size_t k = 1; k < ends.size(); ++k)
-            if (ends[k].score >= possible && rest[first + k].pages == rest[first].pages - 1)
-                look(first + k, ends[k].score);
-    }
-    std::vector<Rest> fewest_pages() const {
-        const std::size_t n = bands_.size();
-        std::vector<Rest> rest(n + 1);
-        rest[n] = {0, false, 0, n};
-        for (std::size_t first = n; first-- > 0;) {
-            const std::vector<State>& ends = tables_[first].second;
-            for (std::size_t k = 1; k < ends.size(); ++k)
-                if (ends[k].score >= possible && rest[first + k].pages + 1 < rest[first].pages)
-                    rest[first].pages = rest[first + k].pages + 1;
-        }
-        rest[0].is_reached = rest[0].pages < Rest::none;
-        for (std::size_t first = 0; first < n; ++first)
-            if (rest[first].is_reached)
-                for_each_page(rest, first, [&](std::size_t end, double) { rest[end].is_reached = true; });
-        return rest;
-    }
 
     /// Penalty for white space. It is quadratic, because one very empty page is worse than two slightly empty ones; so
     /// a last page with little on it takes bands from the page before, whose figures become larger. At the end of a
     /// sheet white is less disturbing.
     double price_of_emptiness(std::size_t first, std::size_t end) {
         constexpr double price_of_an_empty_page = 40, price_of_an_empty_last_page = 20;
+        constexpr double full = 0.7;  // of a page, what text and figures cover of one without a gap
         const Box content = content_of(format_, first == 0);
         double room = content.width() * content.height(), taken = 0;
         if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);
@@ -180,7 +157,7 @@ private:
                 for (const PlacedBand& placed : cell)
                     taken += layouts_[placed.band].taken_by(
                         layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch));
-        const double empty = std::max(0.0, 1 - taken / room);
+        const double empty = std::max(0.0, full - taken / room);
         return (end < bands_.size() ? price_of_an_empty_page : price_of_an_empty_last_page) * empty * empty;
     }
     double left_of(const Split& split, std::size_t i) const {
@@ -220,29 +197,29 @@ private:
         for (std::size_t height = 1; height < heights_; ++height) {
             const double before = (*known.score)[height - 1], here = (*known.score)[height];
             if (here != before) known.changes.push_back(static_cast<int>(height));
-            known.never_falls = known.never_falls && here >= before;
         }
         return known;
     }
-    /// A band and the next one below it.
-    const Pair& pair(std::size_t first, std::size_t stand) {
-        Pair& known = pairs_[first * stands_.size() + stand];
+    /// A band with the next ones below it.
+    const Stack& stack(std::size_t first, int count, std::size_t stand) {
+        Stack& known = stacks_[(first * stands_.size() + stand) * (most_in_a_cell + 1) + at_index(count)];
         if (!known.score.empty()) return known;
         known.score.assign(heights_, impossible);
         known.upper.assign(heights_, 0);
-        const Curve &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
+        const Curve& over = curve(first, stands_[stand].upright);
+        const WorthByHeight& under = cell(first + 1, count - 1, stand);
         const auto offer = [&](int upper) {
             const double above = (*over.score)[at_index(upper)];
             if (above < possible) return;
             for (std::size_t height = at_index(upper + gap_steps + least_height); height < heights_; ++height) {
-                const double sum = above + (*under.score)[height - at_index(upper + gap_steps)];
+                const double sum = above + under[height - at_index(upper + gap_steps)];
                 if (sum > known.score[height]) known.score[height] = sum, known.upper[height] = upper;
             }
         };
-        // A higher upper band with the same score only leaves less to the lower one: try only heights at which the
+        // A higher upper band with the same score only leaves less to what is below it: try only heights at which the
         // score changes.
         offer(least_height);
-        if (under.never_falls) {
+        if (std::is_sorted(under.begin(), under.end())) {
             for (const int upper : over.changes)
                 if (upper > least_height) offer(upper);
         } else {
@@ -250,9 +227,9 @@ private:
         }
         return known;
     }
-    /// A cell with one band or with two, one below the other.
+    /// The scores of bands one below the other, by height.
     const WorthByHeight& cell(std::size_t first, int count, std::size_t stand) {
-        return count == 1 ? *curve(first, stand).score : pair(first, stand).score;
+        return count == 1 ? *curve(first, stand).score : stack(first, count, stand).score;
     }
     /// The best division of `count` bands into cells side by side, by height. `at_block`: in the lowest row of the
     /// first page.
@@ -370,13 +347,15 @@ private:
             const double left = left_of(*best.split, i), right = left + format_.span(width.columns, width.of);
             const int count = (*best.filling)[i];
             const std::size_t stand = (at_block ? best.split->at_block : best.split->stands)[i];
-            int height = count == 1 ? state.height : pair(band, stand).upper[at_index(state.height)];
+            int rest = state.height;
             double y = top;
             PlannedCell& bands = cells.emplace_back();
-            for (int k = 0; k < count; ++k) {
-                if (k > 0) y += (height + gap_steps) * step, height = state.height - height - gap_steps;
+            for (int k = count; k > 0; --k) {
+                const int height = k == 1 ? rest : stack(band, k, stand).upper[at_index(rest)];
                 bands.push_back(
-                    {band++, width, rectangle(left, y, right, y + height * step), k + 1 == count ? notch : Notch{}});
+                    {band++, width, rectangle(left, y, right, y + height * step), k == 1 ? notch : Notch{}});
+                rest -= height + gap_steps;
+                y += (height + gap_steps) * step;
             }
         }
         return cells;
@@ -391,7 +370,7 @@ private:
     std::vector<Stand> stands_;
     std::vector<std::pair<Table, std::vector<State>>> tables_;  // by first band
     std::vector<Curve> curves_;                                 // by band and stand
-    std::vector<Pair> pairs_;                                   // by upper band and stand
+    std::vector<Stack> stacks_;                                 // by uppermost band, stand and count
     std::vector<std::vector<Row>> rows_;                        // by first band, count and at_block; by height
 };
 

@@ -1,5 +1,5 @@
-// Page plan: the rows, widths and heights of bands on pages. Finds the fewest pages that hold all bands in their order,
-// then the plan of that length with the highest score, by dynamic programming. Draws nothing.
+// Page plan: the rows, widths and heights of bands on pages. Finds the plan with the highest score that holds all bands
+// in their order, by dynamic programming; a page has a price. Draws nothing.
 #pragma once
 
 #include <vector>

@@ -2,7 +2,6 @@
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "engine/number/assert.hpp"
@@ -15,17 +14,14 @@ namespace {
 constexpr int columns_more_at_first = 1, columns_more_for_small = 2;
 constexpr double packed = 0.85;                  // of a page, about the most that plans reach
 constexpr double larger_text[] = {1.25, 1.125};  // relative to the text of the format
-constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();  // of pages
 
 }  // namespace
 
 void SheetPlan::make() {
     if (now_.texts->size() != format_.text_size) now_ = {texts_of(format_.text_size)};
-    between_.clear();
     large_.clear();
-    columns_more_ = columns_more_at_first;
     find_pages();
-    try_finer_shares();
+    try_finer_force_scales();
     enlarge_figures();
     for (const double larger : larger_text)
         if (may_enlarge_text_ && may_hold_text(larger) && enlarge_text(larger * format_.text_size)) break;
@@ -77,33 +73,18 @@ bool SheetPlan::enlarge_text(double size) {
     return std::none_of(bands_.list.begin(), bands_.list.end(), is_too_wide) && improves(texts);
 }
 
-/// Where polygons could hardly be measured: plans anew with scales between those of the series and with more columns
-/// that bands may share. Keeps what has fewer pages or is worth more.
-void SheetPlan::try_finer_shares() {
-    const auto is_better = [&](const auto& change) {
+/// Where force polygons could hardly be measured: plans anew with finer common scales, and keeps what is worth more.
+void SheetPlan::try_finer_force_scales() {
+    const std::optional<double> kept = force_scale_;
+    if (!kept) return;
+    for (const double scale : measured_.force_scales_between(*kept, hardly_measured)) {
         Planned before = std::exchange(now_, {now_.texts});
         now_.layouts = std::vector(before.layouts);
-        change();
-        if (plan_all([&](const Planned& plan) { return plan.is_better_than(before); })) return true;
+        force_scale_ = scale;
+        if (plan_all([&](const Planned& plan) { return plan.score > before.score; })) return;
         now_ = std::move(before);
-        return false;
-    };
-    if (const std::optional<double> before = force_scale_)
-        for (const double scale : measured_.force_scales_between(*before, hardly_measured)) {
-            if (is_better([&] { force_scale_ = scale; })) break;
-            force_scale_ = before;
-        }
-    std::map<std::size_t, double> small;
-    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
-        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
-            if (const std::size_t figure = bands_.list[placed.band].figures[f];
-                layout.rooms[f].x > 0 && measured_.is_small(figure, layout.sizes[f]))
-                small.emplace(figure, layout.sizes[f].scale);
-    });
-    if (small.empty()) return;
-    if (is_better([&] { between_ = std::move(small), columns_more_ = columns_more_for_small; })) return;
-    between_.clear();
-    columns_more_ = columns_more_at_first;
+        force_scale_ = kept;
+    }
 }
 
 /// Whether less than two fifths of the room of a band are covered.
@@ -198,23 +179,26 @@ bool SheetPlan::has_wide_tables(const std::string& question, int divided) {
     return std::exchange(may_enlarge_text_, false);
 }
 
-/// Figures are small only where that saves a page.
+/// Figures are small, and more bands stand side by side, only where that is worth more.
 void SheetPlan::find_pages() {
     small_ = false;
-    const bool found = finds_pages(any_number);
+    columns_more_ = columns_more_at_first;
+    const bool found = finds_pages(BandLayout::impossible);
     if (found && (now_.pages.size() == 1 || !may_be_small())) return;
     const std::optional<double> force_scale = force_scale_;
     Planned before = std::exchange(now_, {now_.texts});
     small_ = true;
-    if (finds_pages(found ? before.pages.size() - 1 : any_number)) return;
+    columns_more_ = columns_more_for_small;
+    if (finds_pages(before.score)) return;
     if (found) {
+        columns_more_ = columns_more_at_first;
         small_ = false;
         now_ = std::move(before);
         force_scale_ = force_scale;
         return;
     }
     give_each_a_page();
-    const bool divided = finds_pages(any_number);
+    const bool divided = finds_pages(BandLayout::impossible);
     KG_ASSERT(divided, "each band has a page");
 }
 
@@ -226,14 +210,12 @@ bool SheetPlan::may_be_small() {
     return false;
 }
 
-/// Plans at each common scale of forces, and keeps the best plan. False if there is none of so few pages.
-bool SheetPlan::finds_pages(std::size_t most_pages) {
+/// Plans at each common scale of forces, and keeps the best plan. False if none is worth more than `least`.
+bool SheetPlan::finds_pages(double least) {
     std::vector<double> scales = measured_.force_scales();
     std::optional<double> best;
     Planned plan;
-    const auto may_do = [&](const Planned& now) {
-        return now.pages.size() <= most_pages && (!best || now.is_better_than(plan));
-    };
+    const auto may_do = [&](const Planned& now) { return now.score > least && (!best || now.score > plan.score); };
     if (scales.empty()) return plan_all(may_do);
     for (const double scale : scales) {
         force_scale_ = scale;
@@ -394,12 +376,6 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
     for (const std::size_t figure : band.figures) {
         sizes.push_back(draws_all_ ? measured_.drawn_sizes(figure, force_scale_, range)
                                    : measured_.sizes(figure, force_scale_, range));
-        if (const auto found = between_.find(figure); found != between_.end()) {
-            const std::vector<FigureSize> more = measured_.sizes_between(figure, found->second);
-            sizes.back().insert(sizes.back().end(), more.begin(), more.end());
-            std::stable_sort(sizes.back().begin(), sizes.back().end(),
-                             [](const FigureSize& one, const FigureSize& other) { return one.score > other.score; });
-        }
         if (!not_coarser_) continue;
         constexpr double same = 1 + 1e-9;
         const auto kept = not_coarser_->of_figures.find(wanted_.kept_as(wanted_.list[figure].id));

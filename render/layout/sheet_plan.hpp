@@ -19,7 +19,7 @@ public:
     SheetPlan(const WantedFigures& wanted, MeasuredFigures& measured, Bands& bands, const SheetFormat& format)
         : wanted_(wanted), measured_(measured), bands_(bands), format_(format), now_{texts_of(format.text_size)} {}
 
-    /// Finds the plan with the fewest pages, and of these the one with the highest score. The text of a band that no
+    /// Finds the plan with the highest score; a page has a price. The text of a band that no
     /// page can hold is divided over pages; if that is not enough, its figures are shown smaller. Then the text takes
     /// the largest size that costs neither a page nor a scale.
     void make();
@@ -50,18 +50,13 @@ private:
         std::vector<PlannedPage> pages{};
         mutable std::vector<std::optional<BandLayout>> taken{};  ///< by band, when it was first asked for
         double score = BandLayout::impossible;
-
-        /// Fewer pages, or as many and a higher score.
-        bool is_better_than(const Planned& other) const {
-            return pages.size() < other.pages.size() || (pages.size() == other.pages.size() && score > other.score);
-        }
     };
     void find_pages();
-    bool finds_pages(std::size_t most_pages);
+    bool finds_pages(double least);
     bool may_be_small();
     std::shared_ptr<BandTexts> texts_of(double size) const;
     bool improves(std::shared_ptr<BandTexts> texts);
-    void try_finer_shares();
+    void try_finer_force_scales();
     void enlarge_figures();
     bool is_white(const PlacedBand& placed, const BandLayout& layout) const;
     void fill_rooms();
@@ -90,7 +85,6 @@ private:
     bool draws_all_ = false;                 // whether sizes are those of drawings, not estimated
     bool small_ = false;                     // whether figures may be small
     int columns_more_ = 1;                   // by which bands may share a page
-    std::map<std::size_t, double> between_;  // figures that may have scales between this one and the next finer one
     std::set<std::string> large_;            // bands whose figures may be as large as a page
     std::optional<KeptScales> not_coarser_;  // the scales that figures have at least
     std::set<std::string> crowded_;          // bands whose figures may be hard to read

@@ -31,7 +31,7 @@ class Layout {
 public:
     Layout(const Solution& solution, const SheetOptions& options, std::optional<KeptScales> kept, const Fonts& fonts)
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
-          format_(format_of(options.paper, options.orientation)),
+          format_(format_for(options)),
           signature_{options.author, options.date},
           after_(options.pages_after),
           wanted_(context_, options.joukowsky, options.detail, options.superposed),
@@ -63,6 +63,13 @@ public:
     }
 
 private:
+    /// A solution in brief is on few pages.
+    static SheetFormat format_for(const SheetOptions& options) {
+        constexpr double price_of_a_page_in_brief = 12;
+        SheetFormat format = format_of(options.paper, options.orientation);
+        if (options.detail == SolutionDetail::brief) format.price_of_a_page = price_of_a_page_in_brief;
+        return format;
+    }
     void settle() {
         if (text_) return;
         do {
