@@ -111,6 +111,40 @@ TEST(Trials, ErrorsAreDrawnAndTheTruePlaceDividesAsTheyDo) {
     }
 }
 
+// Far from the solution the trials would make the figure large and the solution small: their values are on both sides
+// of the true one, and no point is farther from its true place than half the longest velocity or acceleration.
+TEST(Trials, AreNearTheSolutionOnBothSides) {
+    int held = 0;
+    for (const char* driver : {R"({"body": 5, "omega": 2, "alpha": 1})", R"({"body": 6, "omega": 3, "alpha": -40})",
+                               R"({"body": 8, "omega": -1, "alpha": 7})"}) {
+        SCOPED_TRACE(driver);
+        const Solution solution = solved(double_butterfly(driver));
+        const Protocol& protocol = solution.protocol;
+        const auto place = [&](ElementIndex element) { return protocol.point(element).place(); };
+        const auto longest_of = [&](int polygon) {  // squared
+            Exact longest = 0;
+            for (const Image& image : protocol.images)
+                if (image.polygon == polygon) longest = std::max(longest, dot(place(image.point), place(image.point)));
+            return longest;
+        };
+        for (const Image& trial : protocol.trials.images) {
+            const auto real = std::find_if(protocol.images.begin(), protocol.images.end(), [&](const Image& image) {
+                return image.symbol == trial.symbol && image.polygon == trial.polygon;
+            });
+            ASSERT_NE(real, protocol.images.end());
+            const Vector off = place(trial.point) - place(real->point);
+            EXPECT_LE(4 * dot(off, off), longest_of(trial.polygon));
+            ++held;
+        }
+        ASSERT_FALSE(protocol.trials.misses.empty());
+        for (std::size_t first = 0; first < protocol.trials.misses.size(); first += 2) {
+            const DrawnMiss &one = protocol.trials.misses[first], &two = protocol.trials.misses[first + 1];
+            EXPECT_LT(dot(place(one.tip) - place(one.foot), place(two.tip) - place(two.foot)), 0);
+        }
+    }
+    EXPECT_GT(held, 20);
+}
+
 TEST(Trials, DoNotDependOnWhichBodyIsDriven) {
     const Solution by_crank = solved(double_butterfly(R"({"body": 5, "omega": 2, "alpha": 1})"));
     for (const int body : {2, 3, 4, 6, 7, 8}) {

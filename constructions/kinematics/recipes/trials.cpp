@@ -27,46 +27,95 @@ void TrialRecipes<plane>::assume(Track<plane>& track, const Step& step) {
     if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
     pen_.begin<plane>(step.node != none ? lang::sentences::trial_on_line : lang::sentences::trial_of_spin,
                       assumption_arguments(step), "");
-    const Assumed<plane> assumed = assumed_of(track, step);
-    VectorOn<plane> missed[2];
-    ScalarHandle mismatch[2];
-    std::optional<PointOn<plane>> ends[2];
-    std::optional<Chain<plane>> loci[2];
-    const RecipePen::Hand hand = pen_.hand();
-    for (const int i : {0, 1}) {
-        pen_.take(hand != RecipePen::Hand::solution ? RecipePen::Hand::silent
-                  : i == 0                          ? RecipePen::Hand::first_trial
-                                                    : RecipePen::Hand::second_trial);
-        Track<plane> drawn = track;
-        set_assumed(drawn, step, assumed, i);
-        for (const Step& inner : step.trial) carry_out_(drawn, inner);
-        if (!can_close(drawn, step.closing)) {
-            pen_.take(hand);
-            return;
-        }
-        if (step.closing.locus) {
-            missed[i] = miss(drawn, *step.closing.locus);
-            ends[i] = drawn.tip(step.closing.locus->node);
-            loci[i] = chains_.chain(drawn, *step.closing.locus);
-        } else {
-            mismatch[i] = mismatch_of_spins(drawn, step.closing);
-        }
-    }
-    pen_.take(hand);
+    Assumed<plane> assumed = assumed_of(track, step);
+    const bool is_shown = pen_.hand() == RecipePen::Hand::solution;
+    if (is_shown && step.node != none) come_near(track, step, assumed);
+    const std::optional<Tried> tried = carry_out_trials(track, step, assumed, is_shown);
+    if (!tried) return;
     pen_.begin_spin<plane>(
         step.node != none ? none : step.body,
         step.closing.locus ? lang::sentences::trial_closes_on_line : lang::sentences::trial_closes_by_spin,
         closing_arguments(step), "");
-    const ScalarHandle share = step.closing.locus
-                                   ? share_by_line(missed, chains_.diagram().direction(*step.closing.locus))
-                                   : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
-    if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
-        draw_line_of_ends(track, *ends[0], *ends[1]);
-    }
-    if (pen_.hand() == RecipePen::Hand::solution && step.closing.locus)
+    if (tried->ends[0] && !board_.coincide(*tried->ends[0], *tried->ends[1]))
+        draw_line_of_ends(track, *tried->ends[0], *tried->ends[1]);
+    if (is_shown && step.closing.locus)
         for (const int i : {0, 1})
-            PolygonPen<plane>(board_, track.polygon, i + 1).miss(loci[i]->end, loci[i]->line, *ends[i]);
-    settle(track, step, assumed, share);
+            PolygonPen<plane>(board_, track.polygon, i + 1)
+                .miss(tried->loci[i]->end, tried->loci[i]->line, *tried->ends[i]);
+    settle(track, step, assumed, share_of(step, *tried));
+}
+
+template <Plane plane>
+std::optional<typename TrialRecipes<plane>::Tried> TrialRecipes<plane>::carry_out_trials(const Track<plane>& track,
+                                                                                         const Step& step,
+                                                                                         const Assumed<plane>& assumed,
+                                                                                         bool is_shown) {
+    Tried tried;
+    const RecipePen::Hand hand = pen_.hand();
+    bool can_be_closed = true;
+    for (const int i : {0, 1}) {
+        pen_.take(!is_shown ? RecipePen::Hand::silent
+                  : i == 0  ? RecipePen::Hand::first_trial
+                            : RecipePen::Hand::second_trial);
+        Track<plane> drawn = track;
+        set_assumed(drawn, step, assumed, i);
+        for (const Step& inner : step.trial) carry_out_(drawn, inner);
+        can_be_closed = can_close(drawn, step.closing);
+        tried.tips[i] = drawn.tips;
+        if (!can_be_closed) break;
+        if (step.closing.locus) {
+            tried.missed[i] = miss(drawn, *step.closing.locus);
+            tried.ends[i] = drawn.tip(step.closing.locus->node);
+            tried.loci[i] = chains_.chain(drawn, *step.closing.locus);
+        } else {
+            tried.mismatch[i] = mismatch_of_spins(drawn, step.closing);
+        }
+    }
+    pen_.take(hand);
+    return can_be_closed ? std::optional(std::move(tried)) : std::nullopt;
+}
+
+template <Plane plane>
+ScalarHandle TrialRecipes<plane>::share_of(const Step& step, const Tried& tried) {
+    if (step.closing.locus) return share_by_line(tried.missed, chains_.diagram().direction(*step.closing.locus));
+    return board_.quotient(tried.mismatch[0], board_.difference(tried.mismatch[0], tried.mismatch[1]));
+}
+
+/// Sets the trial values at round numbers on both sides of the true one, so near that no point of a trial is farther
+/// from its true place than half the longest vector: else the trials would make the figure large and the solution
+/// small. They are found by two trials that nobody sees; the result does not depend on them.
+template <Plane plane>
+void TrialRecipes<plane>::come_near(const Track<plane>& track, const Step& step, Assumed<plane>& assumed) {
+    const std::optional<Tried> tried = carry_out_trials(track, step, assumed, false);
+    if (!tried) return;
+    const ScalarHandle share = share_of(step, *tried);
+    std::optional<VectorOn<plane>> longest, farthest;  // … vector of the solution, and way between the two trials
+    const auto keep_longer = [&](std::optional<VectorOn<plane>>& kept, VectorOn<plane> vector) {
+        if (!kept || board_.choose_longer(vector, *kept)) kept = vector;
+    };
+    for (std::size_t node = 0; node < tried->tips[0].size(); ++node) {
+        if (!tried->tips[0][node] || !tried->tips[1][node]) continue;
+        const PointOn<plane> tip = *tried->tips[0][node];
+        const auto way = board_.vector(tip, *tried->tips[1][node]);
+        keep_longer(farthest, way);
+        keep_longer(longest, board_.vector(board_.pole<plane>(), board_.carry(tip, board_.scale<plane>(share, way))));
+    }
+    if (!longest || board_.is_zero(*longest)) return;
+    const auto way = board_.vector(assumed.tips[0], assumed.tips[1]);
+    const auto found = board_.scale<plane>(share, way);
+    const int sense = board_.choose_along(found, way) < 0 ? -1 : 1;
+    const auto times = [&](const Exact& value) { return board_.scale<plane>(board_.number(value), way); };
+    // The values are `step_by` and twice that, at most, from the true one.
+    const auto quarter = board_.scale<plane>(board_.number(Exact(1) / 4), *longest);
+    const auto strays = [&](const Exact& value) { return board_.scale<plane>(board_.number(value), *farthest); };
+    Exact step_by = power_of_ten_reaching(board_, quarter, strays);
+    while (!board_.choose_longer(strays(2 * step_by), quarter)) step_by = 2 * step_by;
+    Exact below = 0, more = step_by;
+    while (board_.choose_longer(found, times(more))) more = 2 * more;
+    for (; more >= step_by; more = more / 2)
+        if (board_.choose_longer(found, times(below + more))) below = below + more;
+    assumed.tips[0] = board_.carry(assumed.line->end, times(sense * (below - step_by)));
+    assumed.tips[1] = board_.carry(assumed.line->end, times(sense * (below + 2 * step_by)));
 }
 
 template <Plane plane>

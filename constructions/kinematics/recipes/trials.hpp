@@ -40,6 +40,20 @@ public:
     ScalarHandle mismatch_of_spins(const Track<plane>& track, const Closing& closing);
 
 private:
+    /// What two trials come to: by how much each misses its condition.
+    struct Tried {
+        VectorOn<plane> missed[2];
+        ScalarHandle mismatch[2];
+        std::vector<std::optional<PointOn<plane>>> tips[2];  // by node
+        std::optional<PointOn<plane>> ends[2];
+        std::optional<Chain<plane>> loci[2];
+    };
+    /// Draws the polygon from both values up to the closing condition. Empty: that cannot be tested.
+    std::optional<Tried> carry_out_trials(const Track<plane>& track, const Step& step, const Assumed<plane>& assumed,
+                                          bool is_shown);
+    /// The share of the way from the first value to the second at which the condition holds.
+    ScalarHandle share_of(const Step& step, const Tried& tried);
+    void come_near(const Track<plane>& track, const Step& step, Assumed<plane>& assumed);
     void set_assumed(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, int which);
     Assumed<plane> assumed_of(Track<plane>& track, const Step& step);
     /// The line on which the tip moves from trial to trial; the true tip is on it.
@@ -52,7 +66,7 @@ private:
     /// Sets both closing errors off from one point. The line through their ends meets the parallel to the locus through
     /// that point where the error vanishes.
     ScalarHandle share_by_line(const VectorOn<plane> (&missed)[2], DirectionHandle direction);
-    /// Offset of the second trial along a direction. Free to choose; a power of ten, of the order of
+    /// Offset of the second trial along a direction. Free to choose: a power of ten, of the order of
     /// the longest vector so far.
     VectorOn<plane> reach(const Track<plane>& track, DirectionHandle direction);
     std::vector<Argument> assumption_arguments(const Step& step);
