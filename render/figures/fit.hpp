@@ -30,6 +30,8 @@ struct ScaleWish {
     double arrow = 0;
     /// The scale of these vectors, units per mm: the coarsest, or that of all if no length is asked for. 0: any.
     double vectors = 0;
+    /// The steps of the solution stand beside it: what they say a small figure need not say, too.
+    bool has_steps = false;
 };
 
 struct FitPolicy {

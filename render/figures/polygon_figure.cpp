@@ -20,9 +20,13 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double past_the_meet = 12;  // of a construction line beyond the intersection that it found
-constexpr double short_of_pole = 3;   // … and before its starting point
-constexpr double seen_apart = 1.5;    // distance of its end from the other line of the intersection
+constexpr double past_the_meet = 12;    // of a construction line beyond the intersection that it found
+constexpr double past_with_number = 5;  // … of one that has its number alone
+constexpr double short_of_pole = 3;     // … and before its starting point
+// mm; beside a shorter longest vector the directions in words would take as much room as the vectors. The steps say
+// which line has which number.
+constexpr double hardly_measured = 50;
+constexpr double seen_apart = 1.5;  // distance of its end from the other line of the intersection
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
 constexpr double least_image = 12;      // mm²; least area of the image of a link
@@ -44,11 +48,12 @@ public:
         const Box box = figure.box;
         const double left = box.min.x - size.min.x, right = box.max.x - size.max.x;
         const double top = box.min.y - size.min.y, bottom = box.max.y - size.max.y;
+        constexpr double clear = 4;  // mm about it, for a row of letters
         const std::array<Spot, 4> corners{Spot{right, bottom}, Spot{left, bottom}, Spot{right, top}, Spot{left, top}};
         Spot chosen{left, box.max.y + 5 - size.min.y};
         for (const Spot corner : corners)
-            if (is_free(figure, {{size.min.x + corner.x - 7, size.min.y + corner.y - 7},
-                                 {size.max.x + corner.x + 7, size.max.y + corner.y + 7}})) {
+            if (is_free(figure, {{size.min.x + corner.x - clear, size.min.y + corner.y - clear},
+                                 {size.max.x + corner.x + clear, size.max.y + corner.y + clear}})) {
                 chosen = corner;
                 break;
             }
@@ -130,8 +135,9 @@ private:
 
 class PolygonDrawing {
 public:
-    PolygonDrawing(const DrawingContext& context, const PolygonScene& scene)
-        : context_(context), scene_(scene), numbers_(scene) {}
+    /// `has_steps`: see ScaleWish.
+    PolygonDrawing(const DrawingContext& context, const PolygonScene& scene, bool has_steps)
+        : context_(context), scene_(scene), numbers_(scene), has_steps_(has_steps) {}
     bool empty() const { return scene_.empty(); }
     double width() const { return scene_.width(); }
     double height() const { return scene_.height(); }
@@ -242,8 +248,13 @@ private:
         });
     }
 
+    bool is_in_short(const Figure& figure) const {
+        return has_steps_ && scene_.longest < hardly_measured * figure.scale;
+    }
+
     struct Ray {
         Spot meet, along;
+        double past;
     };
     void add_lines(PolygonParts& parts, const Figure& figure) const {
         const std::size_t first = parts.lines.size();
@@ -256,9 +267,12 @@ private:
             const double reach = dot(meet - support, along);
             if (reach < 0) along = -1.0 * along;
             PolygonLine drawn;
+            const std::string number = numbers_.of(each.statement, each.reason);
+            const bool has_number_alone = is_in_short(figure) && !number.empty();
+            const double past = has_number_alone ? past_with_number : past_the_meet;
             drawn.from = support - short_of_pole * along;
-            drawn.to = meet + past_the_meet * along;
-            if (std::abs(reach) < coincident) drawn.from = support - past_the_meet * along;
+            drawn.to = meet + past * along;
+            if (std::abs(reach) < coincident) drawn.from = support - past * along;
             bool twice = false;
             for (std::size_t i = 0; i < reasons.size(); ++i)
                 twice = twice || (length(parts.lines[first + i].to - drawn.to) < coincident &&
@@ -268,15 +282,16 @@ private:
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
             if (each.reason.kind != LineReason::Kind::known) {
-                if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
-                    drawn.mark = one_piece(number);
-                append(drawn.mark, typeset(each.reason, context_.language));
-                drawn.mark_at = meet + (0.58 * past_the_meet) * along;
-                drawn.mark_toward = meet + past_the_meet * along;
+                if (!number.empty())
+                    drawn.mark = one_piece(has_number_alone ? number : numbers_.before(each.statement, each.reason));
+                if (!has_number_alone) append(drawn.mark, typeset(each.reason, context_.language));
+                drawn.mark_at = meet + (0.58 * past) * along;
+                drawn.mark_toward = meet + past * along;
+                drawn.mark_along = !has_number_alone;
             }
             add_corner(parts, each.statement, support, along, std::abs(reach));
             parts.lines.push_back(std::move(drawn));
-            rays.push_back({meet, along});
+            rays.push_back({meet, along, past});
         }
         run_on_until_apart(parts, first, rays);
     }
@@ -285,7 +300,7 @@ private:
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Ray& other : rays) {
                 const double sine = std::abs(cross(rays[i].along, other.along));
-                if (length(rays[i].meet - other.meet) > coincident || past_the_meet * sine > seen_apart || sine < 1e-9)
+                if (length(rays[i].meet - other.meet) > coincident || rays[i].past * sine > seen_apart || sine < 1e-9)
                     continue;
                 parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
             }
@@ -381,6 +396,7 @@ private:
     const DrawingContext& context_;
     const PolygonScene& scene_;
     LineNumbers numbers_;
+    bool has_steps_;
 };
 
 // If a room is too small for labels, the last trial is the smallest figure that still shows something: at least this
@@ -537,7 +553,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
                       const ScaleWish& wish) {
-    return Fitting(PolygonDrawing(context, scene), context, {room_x, room_y}, wish).fitted();
+    return Fitting(PolygonDrawing(context, scene, wish.has_steps), context, {room_x, room_y}, wish).fitted();
 }
 
 namespace {
@@ -560,6 +576,9 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     constexpr double a_crowd = 32, of_each = 2, most_of_them = 64;  // names; mm; mm
     const auto names = static_cast<double>(scene.vectors.size() + scene.images.size() + scene.lines.size());
     if (names > a_crowd) size.least = std::max(size.least, std::min(of_each * names, most_of_them));
+    // A reading of half a tenth of a millimetre is within a fifth of a percent of the longest.
+    constexpr double least_of_longest = 26;  // mm
+    if (scene.longest > 0) size.least = std::max(size.least, least_of_longest * scene.size() / scene.longest);
     size.empty = scene.empty();
     size.has_corner = !size.empty;
     constexpr double enough_of_lengths =
@@ -568,7 +587,9 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     if (size.is_straight) size.enough = std::min(size.enough, enough_of_lengths);
 }
 Figure draw_polygon(const Shown& shown, FigureId id, Spot room, const ScaleWish& wish) {
-    return polygon_figure(shown.context, shown.scene(id.of), room.x, room.y, wish);
+    ScaleWish own = wish;
+    own.has_steps = wish.has_steps && !shown.is_brief;
+    return polygon_figure(shown.context, shown.scene(id.of), room.x, room.y, own);
 }
 
 }  // namespace

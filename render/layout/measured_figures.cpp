@@ -38,6 +38,19 @@ double use_of_figure(double size) {
     return nearest::log(read) - 40 / read + of_more * nearest::log(size / read);
 }
 
+/// What is measured on a polygon is shorter than its longest vector: of two polygons the smaller one gains more by a
+/// step of the scale than the larger one by two, below this size.
+double price_of_coarse_reading(double size) {
+    constexpr double readable = 40, of_a_step = 1.5;
+    return size < readable ? of_a_step * nearest::log(readable / size) : 0;
+}
+
+/// Whether vectors are measured on it, at a scale of its own.
+bool is_measured(const Wanted& wanted) {
+    return !(wanted.arrow > 0) && !wanted.to_force_scale &&
+           row_of(wanted.id.kind).traits.measured != QuantityKind::length;
+}
+
 }  // namespace
 
 const std::vector<FigureSize>& MeasuredFigures::sizes(std::size_t figure, std::optional<double> force_scale,
@@ -83,7 +96,9 @@ bool MeasuredFigures::draws(std::size_t figure, const FigureSize& size) {
     if (!size.estimated) return false;
     Drawing& drawing = drawings_[figure][size.drawing];
     if (drawing.figure) return false;
-    drawing.figure = wanted_.draw(figure, drawing.room, drawing.wish);
+    ScaleWish wish = drawing.wish;
+    wish.has_steps = true;
+    drawing.figure = wanted_.draw(figure, drawing.room, wish);
     ++times_drawn_[figure];
     return true;
 }
@@ -145,7 +160,8 @@ double MeasuredFigures::score_of(const Wanted& wanted, const Measure& measure, c
     const bool has_own = drawing != nullptr && drawing->scale != any_scale && !wanted.fills;
     const double own = !has_own ? 0 : wanted.arrow > 0 ? drawing->places : drawing->scale;
     const double size = std::clamp(wanted.extent_of_subject() / std::max(own, measure.scale), 1.0, enough);
-    return wanted.weight * use_of_figure(size) + (measure.wish.asked && !wanted.spare ? as_asked : 0) -
+    const double lack = is_measured(wanted) ? price_of_coarse_reading(size) : 0;
+    return wanted.weight * (use_of_figure(size) - lack) + (measure.wish.asked && !wanted.spare ? as_asked : 0) -
            (wanted.arrow > 0 ? price_of_short_arrows * (1 - measure.wish.arrow / wanted.arrow) : 0);
 }
 
@@ -362,6 +378,13 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::at_scales(const Wanted& w
          first = false) {
         all.push_back({scale, page(), {.finest = scale, .exactly = true}});
         scale = next_scale(scale);
+    }
+    // A polygon that would be too small at the next scale of the series may have one between them.
+    if (is_measured(wanted) && !wanted.spare) {
+        const std::vector<double> between = scales_between(all.back().scale * (1 + rounding), scale);
+        const auto last = std::find_if(between.rbegin(), between.rend(),
+                                       [&](double each) { return wanted.extent() / each >= least * (1 - rounding); });
+        if (last != between.rend()) all.push_back({*last, page(), {.finest = *last, .exactly = true}});
     }
     // The last has to show something.
     all.back().wish.exactly = false;

@@ -37,12 +37,17 @@ LineNumbers::LineNumbers(const PolygonScene& scene) {
     if (distinct.size() < 2) lines_.clear();
 }
 
-std::string LineNumbers::before(StatementIndex statement, const LineReason& reason) const {
+std::string LineNumbers::of(StatementIndex statement, const LineReason& reason) const {
     const auto found = std::find_if(lines_.begin(), lines_.end(), [&](const Numbered& each) {
         return each.statement == statement && each.reason == reason;
     });
     if (found == lines_.end() || found->number >= circled.size()) return {};
-    return std::string(circled[found->number]) + unbroken_blank;
+    return circled[found->number];
+}
+
+std::string LineNumbers::before(StatementIndex statement, const LineReason& reason) const {
+    const std::string number = of(statement, reason);
+    return number.empty() ? number : number + unbroken_blank;
 }
 
 }  // namespace kinegraph::render

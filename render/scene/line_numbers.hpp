@@ -14,6 +14,8 @@ public:
     /// For one polygon. A single line gets no number; nor does a known quantity, which needs no line.
     explicit LineNumbers(const PolygonScene& scene);
 
+    /// "②"; empty if it has no number.
+    std::string of(StatementIndex statement, const LineReason& reason) const;
     /// "②" and a no-break space, before the name of a line; empty if it has no number.
     std::string before(StatementIndex statement, const LineReason& reason) const;
 

@@ -422,6 +422,37 @@ TEST(PolygonConstruction, LinesAreSeenToCrossInTheTipThatTheyFind) {
 }
 
 /// As a′b′ with p′ on it, where no vector runs from the one to the other; a closed figure of more points has its tint.
+// In words the directions of a small polygon would take as much room as its vectors. Only where the steps stand beside
+// it do they say which line has which number.
+TEST(PolygonConstruction, OfASmallOneTheStepsSayTheDirectionsOfNumberedLines) {
+    const Solution& solution = example("four_bar");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    const auto words_of = [](const Figure& figure) {
+        std::set<std::string> words;
+        for (const Mark& mark : figure.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
+                words.insert(text->words);
+        return words;
+    };
+    const double longest = polygon_scene(solution, 0).longest;
+    for (const double size : {30.0, 49.0, 51.0, 80.0}) {
+        SCOPED_TRACE(size);
+        ScaleWish wish{.finest = longest / size, .exactly = true};
+        const Figure in_words = polygon_figure(context, 0, 200, 200, wish);
+        wish.has_steps = true;
+        const Figure beside_steps = polygon_figure(context, 0, 200, 200, wish);
+        EXPECT_TRUE(words_of(in_words).contains("①\u00A0⟂ AB"));
+        EXPECT_EQ(words_of(beside_steps).contains("①"), size < 50);
+        EXPECT_NE(words_of(beside_steps).contains("①\u00A0⟂ AB"), size < 50);
+        if (size < 50)
+            EXPECT_LT(beside_steps.box.width() * beside_steps.box.height(),
+                      0.9 * in_words.box.width() * in_words.box.height());
+        else
+            EXPECT_EQ(beside_steps.box.width(), in_words.box.width());
+    }
+}
+
 TEST(PolygonConstruction, TheImageOfALinkWithItsPointsOnOneLineIsALine) {
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
         "points": {"O": [0, 0], "C": [150, 0], "A": {"from": "O", "distance": 50, "angle": 60},

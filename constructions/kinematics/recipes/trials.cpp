@@ -82,7 +82,7 @@ ScalarHandle TrialRecipes<plane>::share_of(const Step& step, const Tried& tried)
 }
 
 /// Sets the trial values at round numbers on both sides of the true one, so near that no point of a trial is farther
-/// from its true place than half the longest vector: else the trials would make the figure large and the solution
+/// from its true place than a third of the longest vector: else the trials would make the figure large and the solution
 /// small. They are found by two trials that nobody sees; the result does not depend on them.
 template <Plane plane>
 void TrialRecipes<plane>::come_near(const Track<plane>& track, const Step& step, Assumed<plane>& assumed) {
@@ -106,10 +106,10 @@ void TrialRecipes<plane>::come_near(const Track<plane>& track, const Step& step,
     const int sense = board_.choose_along(found, way) < 0 ? -1 : 1;
     const auto times = [&](const Exact& value) { return board_.scale<plane>(board_.number(value), way); };
     // The values are `step_by` and twice that, at most, from the true one.
-    const auto quarter = board_.scale<plane>(board_.number(Exact(1) / 4), *longest);
+    const auto near = board_.scale<plane>(board_.number(Exact(1) / 6), *longest);
     const auto strays = [&](const Exact& value) { return board_.scale<plane>(board_.number(value), *farthest); };
-    Exact step_by = power_of_ten_reaching(board_, quarter, strays);
-    while (!board_.choose_longer(strays(2 * step_by), quarter)) step_by = 2 * step_by;
+    Exact step_by = power_of_ten_reaching(board_, near, strays);
+    while (!board_.choose_longer(strays(2 * step_by), near)) step_by = 2 * step_by;
     Exact below = 0, more = step_by;
     while (board_.choose_longer(found, times(more))) more = 2 * more;
     for (; more >= step_by; more = more / 2)
