@@ -73,11 +73,29 @@ JointName reader_name(const Mechanism& mechanism, const Joint& joint) {
     return {mechanism.point(joint.point).name, false};
 }
 
+namespace {
+
+constexpr const char* at_a_new_place = "′";
+
+}  // namespace
+
+Symbol moved_aside(Symbol force) {
+    force.term = at_a_new_place;
+    return force;
+}
+bool is_moved_aside(const Symbol& symbol) { return symbol.term == at_a_new_place; }
+
+Symbol where_it_acts(Symbol force) {
+    if (is_moved_aside(force)) force.term.clear();
+    return force;
+}
+
 std::string name_of(const Symbol& symbol) {
     if (symbol.letter == Symbol::Letter::image) return lower_case(symbol.about) + symbol.term;
     std::string name(stem(symbol.letter));
     if (has_own_name(symbol)) name.clear();
     if (!symbol.about.empty()) name += (name.empty() ? "" : "_") + symbol.about;
+    if (is_moved_aside(symbol)) return name + "'";
     // That a centre lies at infinity is a property of its position, not of its name.
     if (!symbol.term.empty() && symbol.term != "∞") name += (name.empty() ? "" : "_") + symbol.term;
     return name;

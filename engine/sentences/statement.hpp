@@ -35,7 +35,7 @@ struct Symbol {
     };
     Letter letter = Letter::point;
     std::string about;  ///< subscript: "B", "BA" (of B relative to A), "3"; for point, image and body the name itself
-    std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
+    std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞", "′"
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
 /// Whether the file's name of a force or couple is a complete symbol: F, F_gas, F1, M4, T4. Otherwise it is the
@@ -43,6 +43,11 @@ struct Symbol {
 bool has_own_name(const Symbol& symbol);
 /// The relative velocity of a Coriolis term: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: seen by an observer.
 Symbol velocity_of_coriolis(Symbol coriolis, bool observed);
+/// A force where its couple moves it, F_i3′: one force in place of both. With the name of the first it would be added
+/// twice.
+Symbol moved_aside(Symbol force);
+bool is_moved_aside(const Symbol& symbol);
+Symbol where_it_acts(Symbol force);  ///< F_i3 of both
 /// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
 std::string name_of(const Symbol& symbol);
 

@@ -721,8 +721,20 @@ void Bands::number_steps() {
 
 std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const {
     std::vector<ResultRow> rows = result_rows(context_, drawn);
-    for (ResultRow& row : force_rows(context_, drawn, detail_ == SolutionDetail::full)) rows.push_back(std::move(row));
+    for (ResultRow& row : force_rows(context_, drawn, detail_ == SolutionDetail::full, bodies_with_polygons()))
+        rows.push_back(std::move(row));
     return rows;
+}
+
+std::vector<const FreeBody*> Bands::bodies_with_polygons() const {
+    std::vector<const FreeBody*> bodies;
+    for (const Band& band : list)
+        for (const std::size_t figure : band.figures)
+            if (const FigureId& id = wanted_.list[figure].id; id.kind == FigureKind::free_body && id.part == all_loads)
+                if (const FreeBody& body = solution_.free_bodies[static_cast<std::size_t>(id.of)];
+                    has_force_polygon(solution_, body))
+                    bodies.push_back(&body);
+    return bodies;
 }
 
 bool Bands::draws(const Band& band, FigureId id) const {
@@ -762,16 +774,8 @@ void Bands::deal_out_results() {
             for (const FreeBody& body : solution_.free_bodies)
                 if (draws(band, {FigureKind::free_body, static_cast<int>(&body - solution_.free_bodies.data())}) &&
                     has_force_polygon(solution_, body))
-                    for (const AppliedForce& applied : body.forces) {
-                        Quantity own = quantity_of(body, applied), turned = row.quantity;
-                        std::swap(turned.body, turned.other);
-                        // The couple of a pair goes with its force.
-                        const auto of_a_joint = [](Quantity::Kind kind) {
-                            return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
-                        };
-                        if (of_a_joint(own.kind) && of_a_joint(row.quantity.kind)) own.kind = row.quantity.kind;
-                        if (own == row.quantity || own == turned) home = b;
-                    }
+                    for (const AppliedForce& applied : body.forces)
+                        if (are_one_action(quantity_of(body, applied), row.quantity)) home = b;
         }
         return home;
     };

@@ -124,6 +124,8 @@ private:
     std::optional<std::size_t> same_before(const Band& band, const Statement& added) const;
     void number_steps();
     void deal_out_results();
+    /// In the order of their bands.
+    std::vector<const FreeBody*> bodies_with_polygons() const;
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const;
     void add_remarks();
     const std::string& question_of(const Band::Part& part) const;

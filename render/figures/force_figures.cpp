@@ -150,6 +150,7 @@ struct ActionLine {
     std::vector<std::string> far_meets;  // points of concurrency outside the drawing
     std::vector<std::string> forces{};   // bindings of its forces
     std::vector<std::string> places{};   // bindings of its points
+    std::vector<LabelRequest> names{};   // of resultants, which have no arrow here
 
     /// Whether it joins its point of application with another point.
     bool joins() const { return marks.size() > 1 || !far_meets.empty(); }
@@ -207,6 +208,9 @@ public:
     ActionLines(Sketch& sketch, const Box& view, std::string load)
         : sketch_(sketch), view_(view), load_(std::move(load)) {}
 
+    /// The arrows that point to what is outside the drawing.
+    const std::vector<Bar>& pointers() const { return pointers_; }
+
     /// The line of a force with its points of concurrency.
     ActionLine line_of(const AppliedForce& applied, const Meets& meets, std::string held) const {
         const Spot at = sketch_.spot(applied.at);
@@ -233,6 +237,7 @@ public:
                 known.statement = std::min(known.statement, added.statement);
                 known.forces.insert(known.forces.end(), added.forces.begin(), added.forces.end());
                 known.places.insert(known.places.end(), added.places.begin(), added.places.end());
+                known.names.insert(known.names.end(), added.names.begin(), added.names.end());
                 return;
             }
         lines_.push_back(std::move(added));
@@ -278,6 +283,7 @@ private:
             const Spot edge = action.at + (sense > 0 ? seen.to : seen.from) * action.along;
             const Spot tip = edge + sense * broken_end * action.along;
             action.marks.push_back(edge);
+            pointers_.push_back({edge, tip});
             draw_arrow(sketch_.construction, edge, tip, sketch_.theme.thin, sketch_.theme.secondary);
             belong(sketch_.construction, sketch_.construction.size() - 2, std::max(statement, action.statement));
             if (named) continue;
@@ -303,6 +309,12 @@ private:
         layer.emplace_back(line(action.at + from * action.along, action.at + to * action.along, sketch_.axis()));
         belong(layer, layer.size() - 1, action.statement);
         hang(layer, layer.size() - 1, held(action));
+        // Beyond the points that it joins, towards which the force acts.
+        for (LabelRequest name : action.names) {
+            name.toward = action.at + to * action.along;
+            name.anchor = *name.toward - std::min(0.5 * line_overshoot, 0.5 * (to - from)) * action.along;
+            sketch_.labels.push_back(std::move(name));
+        }
     }
     static Holds held(const ActionLine& action) {
         Holds holds{Form::line, action.forces, line_overshoot};
@@ -315,6 +327,7 @@ private:
     Box view_;
     std::string load_;
     std::vector<ActionLine> lines_;
+    std::vector<Bar> pointers_;
 };
 
 /// Where teeth mesh: the common tangent of the pitch curves, and the pressure angle between it and the line of action.
@@ -492,6 +505,31 @@ std::vector<AppliedForce> near_sums(const Sketch& sketch, const FreeBody& body) 
     return near;
 }
 
+/// Whether the drawing uses the line of a resultant of a body: for a point of concurrency, an arm, a string, or a
+/// further resultant.
+bool is_line_used(const Sketch& sketch, const FreeBody& body, const AppliedForce& sum) {
+    const Spot along = paper_direction(sum.force), at = paper_spot(sum.at);
+    const auto passes = [&](const Vector& place) {
+        return std::abs(cross(along, paper_spot(place) - at)) < near_a_line(sketch);
+    };
+    return body.funicular ||
+           std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& meet) { return passes(meet.place); }) ||
+           std::any_of(body.arms.begin(), body.arms.end(),
+                       [&](const auto& arm) { return !arm.is_shift && passes(arm.foot); }) ||
+           std::any_of(body.sums.begin(), body.sums.end(),
+                       [&](const auto& other) { return other.symbol != sum.symbol && passes(other.at); });
+}
+/// The resultants of a body that its lines of action show. A force with its couple, moved aside: where its new line is
+/// used there; else its free body shows it, beside the sentence.
+std::vector<AppliedForce> sums_on_mechanism(const Sketch& sketch, const FreeBody& body) {
+    std::vector<AppliedForce> shown = near_sums(sketch, body);
+    const auto idle = [&](const AppliedForce& sum) {
+        return is_moved_aside(sum.symbol) && !is_line_used(sketch, body, sum);
+    };
+    shown.erase(std::remove_if(shown.begin(), shown.end(), idle), shown.end());
+    return shown;
+}
+
 bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == Quantity::Kind::weight || applied.kind == Quantity::Kind::inertia;
 }
@@ -548,13 +586,15 @@ public:
                         free_couple_arc(sketch_, clutter_, text, sketch_.spot(applied.at), applied.couple.sign() > 0),
                         colour_, applied.force_statement, {couple, couple}, says_couples ? unit_of_moment() : 0);
         }
-        // A narrow room has only the line; the force is in the polygon, unless it is one force moved by a couple.
+        // What acts is drawn with an arrow, once. A resultant has its line and its name; the polygon has its arrow. One
+        // force moved by a couple has none there.
         for (const AppliedForce& sum : sums_) {
-            if (scale_.says_values || std::any_of(body_.forces.begin(), body_.forces.end(),
-                                                  [&](const AppliedForce& f) { return f.force == sum.force; }))
-                draw_force(sum, sum_binding(load_, body_, sum));
+            const std::string held = sum_binding(load_, body_, sum);
+            if (std::any_of(body_.forces.begin(), body_.forces.end(),
+                            [&](const AppliedForce& f) { return f.force == sum.force; }))
+                draw_force(sum, held);
             else
-                add_line_of(sum, sum_binding(load_, body_, sum));
+                add_line_of(sum, held, label_of_line(sum, held));
         }
         for (std::size_t i = 0; i < body_.arms.size(); ++i) draw_arm(sketch_, body_, i, load_, arms_);
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
@@ -684,7 +724,7 @@ private:
         RichText text = typeset(applied.symbol, sketch_.context.language);
         // Nothing else at the figure says how long such an arrow would be. A force that is drawn again where a couple
         // moves it has its value once.
-        const bool says_value = !to_scale && thin_.insert(name_of(applied.symbol)).second;
+        const bool says_value = !to_scale && thin_.insert(name_of(where_it_acts(applied.symbol))).second;
         if (says_value)
             append(text, with_powers(" = " + number(value, 4, sketch_.context.language) + " " + unit_.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour.letter, middle(arrow), 1.5, statement);
@@ -700,8 +740,19 @@ private:
         return std::count_if(body_.forces.begin(), body_.forces.end(),
                              [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
     }
-    void add_line_of(const AppliedForce& applied, const std::string& held) {
+    LabelRequest label_of_line(const AppliedForce& sum, const std::string& held) const {
+        return {.text = typeset(sum.symbol, sketch_.context.language),
+                .size = sketch_.theme.equation,
+                .colour = sketch_.theme.colour_of(none).letter,
+                .is_of_vector = true,
+                .clearance = 1.5,
+                .statement = sum.force_statement,
+                .names = {name_of(sum.symbol)},
+                .holds = on_force(Form::with, held)};
+    }
+    void add_line_of(const AppliedForce& applied, const std::string& held, std::optional<LabelRequest> name = {}) {
         ActionLine action = lines_.line_of(applied, meets_, held);
+        if (name) action.names.push_back(std::move(*name));
         reach_feet(action, sketch_, body_, load_);
         // Extends the line to where the force is added to another.
         for (const AppliedForce& sum : body_.sums)
@@ -883,13 +934,65 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
     return best.choice;
 }
 
-/// Draws only the sense of a force; `standing`: the arrows drawn so far.
+/// Whether an arrow reads as a continuation of another on its line.
+bool continues(const Bar& arrow, const Bar& other) {
+    constexpr double on_line = 1.5, gap = 6;
+    const Spot along = (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from);
+    for (const Spot end : {other.from, other.to})
+        if (std::abs(cross(along, end - arrow.from)) > on_line) return false;
+    const double from = dot(other.from - arrow.from, along), to = dot(other.to - arrow.from, along);
+    return std::max(from, to) > -gap && std::min(from, to) < length(arrow.to - arrow.from) + gap;
+}
+double distance_from(const Bar& bar, Spot spot) {
+    const Spot off = bar.to - bar.from;
+    const double share = std::clamp(dot(spot - bar.from, off) / dot(off, off), 0.0, 1.0);
+    return length(spot - (bar.from + share * off));
+}
+
+/// A resultant acts at no point, so its arrow may stand anywhere on its line: at its place or at a point of
+/// concurrency, where it crosses least, hides no point, and is not taken for a part of another arrow.
+Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const AppliedForce& sum, const Meets& meets,
+                       const Box& view, const std::vector<Bar>& standing) {
+    constexpr double whole = 20, about_point = 2.0, of_other_place = 0.05;
+    constexpr double as_one = 3, continued = 0.8, over_point = 0.8, beside = 0.6, outside = 0.4, of_end = 2.5,
+                     on_body = 0.3;
+    const Spot at = sketch.spot(sum.at), along = paper_direction(sum.force);
+    std::vector<Spot> places{at}, points;
+    for (const FreeBody::Meet& meet : meets)
+        if (const Spot spot = sketch.spot(meet.place); contains(view, spot)) {
+            points.push_back(spot);
+            if (std::abs(cross(along, spot - at)) < 0.05 && length(spot - at) > 1) places.push_back(spot);
+        }
+    for (const PointIndex point : indices_of(sketch.mechanism.points))
+        if (sketch.subject.shown[at_index(point)]) points.push_back(sketch.spot(point));
+    Cheapest<Bar> best;
+    for (const Spot place : places)
+        for (const double stand_off : {2.4, 7.0, 12.0})
+            for (const bool pulls : {true, false}) {
+                const Spot tail = pulls ? place + stand_off * along : place - (stand_off + whole) * along;
+                const Bar own{tail, tail + whole * along};
+                for (const double side : {0.0, beside_an_arrow, -beside_an_arrow}) {
+                    if (side != 0 && !reads_as_one(own, standing)) continue;
+                    const Bar tried = moved(own, side * turned(along));
+                    double price = clutter.along(tried.from, tried.to) + 0.03 * stand_off + (side == 0 ? 0 : beside) +
+                                   (&place == &places.front() ? 0 : of_other_place);
+                    if (!contains(view, tried.from) || !contains(view, tried.to)) price += outside;
+                    if (reads_as_one(tried, standing)) price += as_one;
+                    // An end on a body would be taken for a point where it acts.
+                    for (const Bar& end :
+                         {Bar{tried.from, tried.from + of_end * along}, Bar{tried.to - of_end * along, tried.to}})
+                        price += clutter.along(end.from, end.to) > 0 ? on_body : 0;
+                    for (const Bar& other : standing) price += continues(tried, other) ? continued : 0;
+                    for (const Spot point : points) price += distance_from(tried, point) < about_point ? over_point : 0;
+                    best.offer(price, tried);
+                }
+            }
+    return best.choice;
+}
+
+/// Draws only the sense of a force, at its arrow.
 void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& body,
-                StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
-    if (applied.force.is_zero()) return;
-    const Spot at = sketch.spot(applied.at);
-    const Bar arrow = free_arrow(clutter, applied, at, standing, rope_of(sketch, applied));
-    standing.push_back(arrow);
+                StatementIndex statement, const std::string& held, const Bar& arrow) {
     const std::size_t first = sketch.arrows.size();
     const BodyColour colour = colour_of(applied, sketch.theme, body);
     draw_force_arrow(sketch.arrows, applied, arrow, sketch.theme.outline, colour.line);
@@ -906,17 +1009,19 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
 }
 
 /// Of bodies, where they are in view, and of bodies taken together.
-void draw_resultants(Sketch& sketch, Clutter& clutter, const LoadCase& loads, const Box& view,
+void draw_resultants(Sketch& sketch, Clutter& clutter, const LoadCase& loads, const Meets& meets, const Box& view,
                      std::vector<Bar>& standing) {
     const BodyColour colour = sketch.theme.colour_of(none);
+    const auto draw = [&](const AppliedForce& sum, const std::string& held) {
+        if (sum.force.is_zero()) return;
+        standing.push_back(arrow_of_resultant(sketch, clutter, sum, meets, view, standing));
+        draw_sense(sketch, clutter, sum, colour, sum.force_statement, held, standing.back());
+    };
     for (const FreeBody& body : loads.bodies())
-        for (const AppliedForce& sum : near_sums(sketch, body))
-            if (contains(view, sketch.spot(sum.at)))
-                draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), body, sum),
-                           standing);
+        for (const AppliedForce& sum : sums_on_mechanism(sketch, body))
+            if (contains(view, sketch.spot(sum.at))) draw(sum, sum_binding(loads.load(), body, sum));
     for (std::size_t i = 0; i < loads.together().size(); ++i)
-        for (const AppliedForce& sum : loads.together()[i].sums)
-            draw_sense(sketch, clutter, sum, colour, sum.force_statement, sum_binding(loads.load(), i, sum), standing);
+        for (const AppliedForce& sum : loads.together()[i].sums) draw(sum, sum_binding(loads.load(), i, sum));
 }
 
 /// Those that the mechanism shows, after its forces. Their values stand at the free bodies: here they would make the
@@ -969,7 +1074,8 @@ void draw_shift(Sketch& sketch, const LoadCase& loads, const AppliedForce& sum, 
     }
 }
 
-void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets, const Box& view) {
+void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets, const Box& view,
+                       std::vector<Bar>& pointers) {
     const Solution& solution = loads.solution();
     const std::string& load = loads.load();
     ActionLines lines(sketch, view, load);
@@ -980,7 +1086,7 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
     for (const FreeBody& body : loads.bodies())
-        for (const AppliedForce& sum : near_sums(sketch, body)) {
+        for (const AppliedForce& sum : sums_on_mechanism(sketch, body)) {
             ActionLine action = lines.line_of(sum, meets, sum_binding(load, body, sum));
             reach_feet(action, sketch, body, load);
             lines.add(std::move(action));
@@ -1008,6 +1114,7 @@ void draw_action_lines(Sketch& sketch, const LoadCase& loads, const Meets& meets
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
+    pointers = lines.pointers();
     // Once at each mesh: action and reaction have one line.
     std::set<JointIndex> meshes;
     for (const FreeBody& body : solution.free_bodies)
@@ -1241,14 +1348,20 @@ private:
         clutter.add(sketch.ground);
         const Box drawn{(1 / trial.scale) * extent_.min, (1 / trial.scale) * extent_.max};
         const Box view = grown(drawn, line_overshoot + 4);
-        draw_action_lines(sketch, loads_, meets_, view);
-        std::vector<Bar> standing;
+        std::vector<Bar> standing, pointers;
+        draw_action_lines(sketch, loads_, meets_, view, pointers);
         for (const FreeBody& body : loads_.bodies())
             for (const AppliedForce& applied : body.forces)
-                if (is_shown_on_mechanism(body, applied, !load.empty()))
+                if (is_shown_on_mechanism(body, applied, !load.empty()) && !applied.force.is_zero()) {
+                    standing.push_back(applied.is_resultant()
+                                           ? arrow_of_resultant(sketch, clutter, applied, meets_, view, standing)
+                                           : free_arrow(clutter, applied, sketch.spot(applied.at), standing,
+                                                        rope_of(sketch, applied)));
                     draw_sense(sketch, clutter, applied, context_.theme.colour_of(body.body), applied.force_statement,
-                               force_binding(load, body, applied), standing);
-        draw_resultants(sketch, clutter, loads_, view, standing);
+                               force_binding(load, body, applied), standing.back());
+                }
+        standing.insert(standing.end(), pointers.begin(), pointers.end());
+        draw_resultants(sketch, clutter, loads_, meets_, view, standing);
         draw_couples(sketch, clutter, loads_);
         std::vector<Bar> arms;
         for (const FreeBody& body : loads_.bodies())

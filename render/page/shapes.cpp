@@ -453,7 +453,7 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, Pen pen, int head
     Head head = head_for(pen.width);
     // A short vector keeps at least two fifths of its shaft. The shaft gets thinner with the head, or it would be
     // visible beside the tip.
-    const double step = 1 - notch;  // from one head to the next, relative to its length
+    constexpr double step = 1.15;  // from one head to the next, relative to its length: they touch at 1 − notch
     const double shrink = std::min(1.0, 0.6 * whole / (head.length * (1 + step * (heads - 1))));
     head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
     pen.width = std::min(pen.width, 0.5 * head.width);

@@ -328,11 +328,13 @@ namespace {
 /// Rows of forces and couples; each action and its reaction appear once.
 class ForceRows {
 public:
-    ForceRows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs)
+    ForceRows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs,
+              std::vector<const FreeBody*> beside)
         : solution_(context.solution),
           mechanism_(context.solution.mechanism),
           figures_(figures),
           at_pairs_(at_pairs),
+          beside_(std::move(beside)),
           checks_(context.solution) {}
 
     std::vector<ResultRow> rows() && {
@@ -379,11 +381,16 @@ private:
         if (quantity.body > quantity.other) std::swap(quantity.body, quantity.other);
         return seen_.emplace(quantity, applied.force.is_zero()).second;
     }
-    /// A couple between two bodies is listed as it acts on the body that the file names first.
+    /// A reaction is listed as it acts on the body beside whose polygon it stands; a couple between two bodies as it
+    /// acts on the body that the file names first.
     std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
         const auto* couple = applied.kind == Quantity::Kind::effort
                                  ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)])
                                  : nullptr;
+        if (applied.is_reaction())
+            for (const FreeBody* other : beside_)
+                for (const AppliedForce& its : other->forces)
+                    if (are_one_action(quantity_of(*other, its), quantity_of(body, applied))) return {other, &its};
         if (couple == nullptr) return {&body, &applied};
         for (const FreeBody& other : solution_.free_bodies)
             for (const AppliedForce& its : other.forces)
@@ -448,6 +455,7 @@ private:
     const Mechanism& mechanism_;
     const std::vector<Figure>& figures_;
     bool at_pairs_;
+    std::vector<const FreeBody*> beside_;
     CheckedNumbers checks_;
     std::set<std::pair<Quantity, bool>> seen_;
     std::vector<ResultRow> forces_, couples_;
@@ -455,10 +463,21 @@ private:
 
 }  // namespace
 
-std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs) {
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs,
+                                  std::vector<const FreeBody*> beside) {
     if (context.solution.truss && context.solution.free_bodies.empty()) return truss_rows(context, figures);
     if (context.solution.free_bodies.empty() && context.solution.efforts.empty()) return {};
-    return ForceRows(context, figures, at_pairs).rows();
+    return ForceRows(context, figures, at_pairs, std::move(beside)).rows();
+}
+
+bool are_one_action(Quantity one, const Quantity& other) {
+    const auto of_a_joint = [](Quantity::Kind kind) {
+        return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
+    };
+    if (of_a_joint(one.kind) && of_a_joint(other.kind)) one.kind = other.kind;
+    Quantity turned = one;
+    std::swap(turned.body, turned.other);
+    return one == other || turned == other;
 }
 
 std::vector<const FreeBody*> closed_by(const LoadCase& loads, StatementIndex statement) {

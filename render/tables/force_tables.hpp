@@ -37,9 +37,17 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied);
 
 /// Rows for the results table: loads, reactions once per joint, input forces and couples. Their lengths are measured on
-/// `figures`. `at_pairs`: also the couples of sleeves and clamps beside their forces.
+/// `figures`. `at_pairs`: also the couples of sleeves and clamps beside their forces. `beside`: the bodies whose
+/// polygons tables stand beside, in their order; there an action is called as it acts on that body.
 std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures,
-                                  bool at_pairs = true);
+                                  bool at_pairs = true, std::vector<const FreeBody*> beside = {});
+/// Whether two quantities are one force or couple, on the one body or on the other; a couple of a pair is its force's.
+bool are_one_action(Quantity one, const Quantity& other);
+
+/// Whether figures show resultants, which have two heads.
+bool has_resultants(const Solution& solution);
+/// Small and grey, to stand beneath a table.
+Block note_block(const DrawingContext& context, const RichText& text, double width);
 
 /// Active forces and reactions, body by body, the frame last; the head and the rows of a table `width` mm wide.
 std::vector<Block> reaction_lines(const DrawingContext& context, double width);

@@ -49,7 +49,7 @@ public:
         if (!on_frame_.empty())
             add_row(name_of_frame(), theme_.secondary, one_piece("–"), with_commas(on_frame_), true);
         close_table();
-        if (example_) add_note(*example_);
+        add_note();
         return std::move(lines_);
     }
 
@@ -213,30 +213,20 @@ private:
         last.height += 0.6;
     }
 
-    bool has_resultants() const {
-        const Solution& solution = context_.solution;
-        const auto has_sums = [](const auto& bodies) { return !bodies.sums.empty(); };
-        const auto any_has = [&](const auto& all) { return std::any_of(all.begin(), all.end(), has_sums); };
-        return any_has(solution.free_bodies) || any_has(solution.taken_together) ||
-               (solution.superposition &&
-                std::any_of(solution.superposition->parts.begin(), solution.superposition->parts.end(),
-                            [&](const auto& part) { return any_has(part.bodies) || any_has(part.together); }));
-    }
-    void add_note(const Example& example) {
-        RichText text = example.symbol;
-        append(text, " " + Words(lang::sheet::action_and_reaction, name_of(example.from), name_of(example.on))
-                               .in(context_.language));
-        if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for(lang::sheet::internal_sides));
-        if (has_resultants()) append(text, " " + word_for(lang::sheet::double_heads));
-        Block note;
-        double baseline = 4.2;
-        for (ShapedLine& each : context_.fonts.wrap(text, theme_.small, width_)) {
-            set_text(note.marks, std::move(each), {0, baseline}, theme_.secondary, "text");
-            baseline += 3.9;
+    void add_note() {
+        RichText text;
+        const auto add = [&](const RichText& said) {
+            if (!text.empty()) append(text, " ");
+            append(text, said);
+        };
+        if (example_) {
+            append(text, example_->symbol);
+            append(text, " " + Words(lang::sheet::action_and_reaction, name_of(example_->from), name_of(example_->on))
+                                   .in(context_.language));
+            if (!closed_polygons(context_.solution).empty()) add(one_piece(word_for(lang::sheet::internal_sides)));
         }
-        note.width = width_;
-        note.height = baseline - 3.4;
-        lines_.push_back(std::move(note));
+        if (has_resultants(context_.solution)) add(one_piece(word_for(lang::sheet::double_heads)));
+        if (!text.empty()) lines_.push_back(note_block(context_, text, width_));
     }
 
     const DrawingContext& context_;
@@ -250,6 +240,29 @@ private:
 };
 
 }  // namespace
+
+bool has_resultants(const Solution& solution) {
+    const auto has_sums = [](const auto& bodies) { return !bodies.sums.empty(); };
+    const auto any_has = [&](const auto& all) { return std::any_of(all.begin(), all.end(), has_sums); };
+    return any_has(solution.free_bodies) || any_has(solution.taken_together) ||
+           std::any_of(solution.resultants.begin(), solution.resultants.end(),
+                       [](const Resultant& each) { return !each.force->is_zero(); }) ||
+           (solution.superposition &&
+            std::any_of(solution.superposition->parts.begin(), solution.superposition->parts.end(),
+                        [&](const auto& part) { return any_has(part.bodies) || any_has(part.together); }));
+}
+
+Block note_block(const DrawingContext& context, const RichText& text, double width) {
+    Block note;
+    double baseline = 4.2;
+    for (ShapedLine& each : context.fonts.wrap(text, context.theme.small, width)) {
+        set_text(note.marks, std::move(each), {0, baseline}, context.theme.secondary, "text");
+        baseline += 3.9;
+    }
+    note.width = width;
+    note.height = baseline - 3.4;
+    return note;
+}
 
 std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
     if (context.solution.free_bodies.empty()) return {};

@@ -118,6 +118,9 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
         row.height = baseline + 0.8;
         lines.push_back(std::move(row));
     }
+    // Where bars and bodies are cut free, the table of their reactions has the note.
+    if (has_resultants(context.solution) && context.solution.free_bodies.empty())
+        lines.push_back(note_block(context, one_piece(word(lang::sheet::double_heads, context.language)), width));
     return lines;
 }
 

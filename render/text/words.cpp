@@ -543,7 +543,10 @@ RichText typeset(const Symbol& symbol, Language language) {
                          (result.sub[0] == 'g' || result.sub[0] == 'i') &&
                          (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
     result.sub_face = of_body || digits_only(result.sub) || is_word(result.sub) ? Face::regular : Face::italic;
-    result.sup = notation(language).term(symbol.term);
+    if (is_moved_aside(symbol))
+        result.text += symbol.term;  // a prime belongs to the letter
+    else
+        result.sup = notation(language).term(symbol.term);
     return {result};
 }
 

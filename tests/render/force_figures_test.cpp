@@ -135,6 +135,14 @@ void expect_true_and_clean(const Figure& figure) {
         }
 }
 
+std::ptrdiff_t labels_that_name(const Figure& figure, const std::string& name) {
+    return std::count_if(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        return text && text->cls == "label" &&
+               std::find(text->names.begin(), text->names.end(), name) != text->names.end();
+    });
+}
+
 class LoadedExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
@@ -158,7 +166,15 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             std::size_t forces = 0;
             for (const AppliedForce& applied : solution.free_bodies[i].forces)
                 forces += applied.force.is_zero() ? 0 : 1;
-            forces += solution.free_bodies[i].sums.size();
+            // A resultant has its line and its name: with an arrow it would be added to its parts. One force that a
+            // couple moves aside has an arrow there.
+            const std::vector<AppliedForce>& all = solution.free_bodies[i].forces;
+            for (const AppliedForce& sum : solution.free_bodies[i].sums)
+                if (std::any_of(all.begin(), all.end(),
+                                [&](const AppliedForce& each) { return each.force == sum.force; }))
+                    ++forces;
+                else
+                    EXPECT_EQ(labels_that_name(figure, name_of(sum.symbol)), 1) << name_of(sum.symbol);
             const auto shown = std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
                 const auto* group = std::get_if<GroupBegin>(&mark);
                 return group && (group->cls == "vector" || group->cls == "sense");
@@ -599,16 +615,6 @@ std::set<std::string> resultants_of(const Solution& solution) {
     return names;
 }
 
-/// Whether it is a force that a couple moves aside, which is drawn as a force, and as what both are together.
-bool is_moved(const Solution& solution, const std::string& name) {
-    const auto has = [&](const std::vector<AppliedForce>& forces) {
-        return std::any_of(forces.begin(), forces.end(),
-                           [&](const AppliedForce& each) { return name.starts_with(name_of(each.symbol)); });
-    };
-    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
-                       [&](const FreeBody& body) { return has(body.forces) && has(body.sums); });
-}
-
 /// In no body's colour, solid and with two heads wherever they are drawn; nothing else has two heads.
 TEST(ForcePages, HaveResultantsByOneRule) {
     const Colour own = Theme().colour_of(none).line;
@@ -626,7 +632,6 @@ TEST(ForcePages, HaveResultantsByOneRule) {
                     if (vector == nullptr) continue;
                     const std::string& of = *vector->attribute("data-name");
                     const bool is_resultant = resultants.contains(of);
-                    if (is_moved(example(name), of)) continue;
                     if (const auto* path = std::get_if<Path>(&mark)) {
                         heads += path->filled ? 1 : 0;
                         if (is_resultant) {
@@ -641,7 +646,67 @@ TEST(ForcePages, HaveResultantsByOneRule) {
                 }
             }
     }
-    for (const char* kind : {"body", "forces"}) EXPECT_GT(seen[kind], 5) << kind;
+    EXPECT_GT(seen["forces"], 5);
+    EXPECT_GT(seen["body"], 2) << "forces moved aside, and what is left over on a body without supports";
+}
+
+/// What two heads mean is said on every sheet that has them.
+TEST(ForcePages, SayWhatDoubleHeadsMean) {
+    const std::string words = word(lang::sheet::double_heads, Language::en);
+    int sheets = 0;
+    for (const std::string& name : example_names()) {
+        bool has = false;
+        std::string said;
+        for (const Page& page : pages::laid_out(name)) {
+            for (const std::vector<Mark>& figure : figures_of(page)) {
+                const std::set<std::string> resultants = resultants_of(example(name));
+                for (const Mark& mark : figure)
+                    if (const auto* group = std::get_if<GroupBegin>(&mark))
+                        if (const std::string* of = group->attribute("data-name")) has |= resultants.contains(*of);
+            }
+            for (const TextMark* text : pages::texts_of(page)) said += text->words + " ";
+        }
+        if (!has) continue;
+        ++sheets;
+        EXPECT_NE(said.find(words), std::string::npos) << name;
+    }
+    EXPECT_GT(sheets, 5);
+}
+
+/// A force that its couple moves aside is in place of both: with the name of the first it would be added twice.
+TEST(ForcePages, HaveAnotherNameForAForceMovedAside) {
+    int moved = 0;
+    const auto expect_apart = [&](const std::vector<FreeBody>& bodies, bool may_move) {
+        for (const FreeBody& body : bodies)
+            for (const AppliedForce& sum : body.sums) {
+                for (const AppliedForce& applied : body.forces) EXPECT_NE(name_of(sum.symbol), name_of(applied.symbol));
+                if (!is_moved_aside(sum.symbol)) continue;
+                ++moved;
+                EXPECT_TRUE(may_move) << "no sentence about these loads alone moves it";
+                EXPECT_TRUE(std::any_of(body.forces.begin(), body.forces.end(), [&](const AppliedForce& applied) {
+                    return applied.symbol == where_it_acts(sum.symbol) && applied.force == sum.force;
+                })) << name_of(sum.symbol);
+            }
+    };
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        expect_apart(solution.free_bodies, true);
+        if (solution.superposition)
+            for (const Superposition::Part& part : solution.superposition->parts) expect_apart(part.bodies, false);
+    }
+    EXPECT_GT(moved, 2);
+}
+
+/// Its sentence and its free body have both places; the lines of action only a line that is used there.
+TEST(ForcePages, ShowAForceMovedAsideWhereItsLineIsUsed) {
+    const Solution& solution = example("engine_inertia_gas");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    EXPECT_FALSE(says(mechanism_with_forces(context, 180, 130), "F′_i3"));
+    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i)
+        for (const AppliedForce& sum : solution.free_bodies[i].sums) {
+            EXPECT_EQ(says(free_body_figure(context, i, 160, 120), "F′_i3"), is_moved_aside(sum.symbol));
+        }
 }
 
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {

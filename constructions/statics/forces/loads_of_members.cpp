@@ -180,13 +180,13 @@ private:
 
     void move_inertia(const Load& force, const Load& couple) {
         if (force.member == member_of(frame) || board_.is_zero(*force.force) || board_.is_zero(*couple.couple)) return;
-        Sum one{{force.member}, force.symbol, *force.force, {}, {}, none};
+        Sum one{{force.member}, moved_aside(force.symbol), *force.force, {}, {}, none};
         one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
-        one.statement = say_of_load(
-            force,
-            {lang::sentences::inertia_moved,
-             {BodyName{mechanism_.body(BodyIndex(force.member.number())).name}, force.symbol, couple.symbol}},
-            "d’Alembert");
+        one.statement = say_of_load(force,
+                                    {lang::sentences::inertia_moved,
+                                     {BodyName{mechanism_.body(BodyIndex(force.member.number())).name}, force.symbol,
+                                      couple.symbol, one.symbol}},
+                                    "d’Alembert");
         read_.shifts.push_back({force.member, force.place, *force.force, one.place, one.statement, true});
         read_.moved.push_back(std::move(one));
     }

@@ -39,7 +39,7 @@ std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<L
         const Load* const couple = is_moved_before ? inertia_couple_with(load, loads) : nullptr;
         const PlaceOnDrawing place =
             couple != nullptr ? board_.carry(load.place, board_.arm(*couple->couple, *load.force)) : load.place;
-        actors.push_back({load.symbol, load.force, place, -1});
+        actors.push_back({couple != nullptr ? moved_aside(load.symbol) : load.symbol, load.force, place, -1});
     }
     for (const int b : model_.outer_bonds(group)) {
         const Bond& bond = model_.bonds()[at(b)];

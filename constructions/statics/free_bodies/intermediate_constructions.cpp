@@ -7,7 +7,8 @@ namespace kinegraph::statics {
 
 std::vector<const Sum*> IntermediateConstructions::add_to(MemberIndex member, const Run& run, FreeBody& body) {
     const Group alone{member};
-    if (bears_load(member)) {
+    // Under the loads of one body alone couples are added to resultants; no sentence there moves a single force.
+    if (bears_load(member) && under_.first == none) {
         for (const Sum& moved : model_.moved())
             if (moved.group == alone) body.sums.push_back(applied_sum(moved));
         for (const Arm& shift : model_.shifts())
