@@ -954,8 +954,8 @@ double distance_from(const Bar& bar, Spot spot) {
 Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const AppliedForce& sum, const Meets& meets,
                        const Box& view, const std::vector<Bar>& standing) {
     constexpr double whole = 20, about_point = 2.0, of_other_place = 0.05;
-    constexpr double as_one = 3, continued = 0.8, over_point = 0.8, beside = 0.6, outside = 0.4, of_end = 2.5,
-                     on_body = 0.3;
+    constexpr double as_one = 3, continued = 0.8, over_point = 0.8, beside = 0.6, outside = 0.4, of_tail = 2.5,
+                     of_heads = 8, on_body = 0.3;
     const Spot at = sketch.spot(sum.at), along = paper_direction(sum.force);
     std::vector<Spot> places{at}, points;
     for (const FreeBody::Meet& meet : meets)
@@ -967,7 +967,7 @@ Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const Appli
         if (sketch.subject.shown[at_index(point)]) points.push_back(sketch.spot(point));
     Cheapest<Bar> best;
     for (const Spot place : places)
-        for (const double stand_off : {2.4, 7.0, 12.0})
+        for (const double stand_off : {2.4, 7.0, 12.0, 17.0})
             for (const bool pulls : {true, false}) {
                 const Spot tail = pulls ? place + stand_off * along : place - (stand_off + whole) * along;
                 const Bar own{tail, tail + whole * along};
@@ -980,7 +980,7 @@ Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const Appli
                     if (reads_as_one(tried, standing)) price += as_one;
                     // An end on a body would be taken for a point where it acts.
                     for (const Bar& end :
-                         {Bar{tried.from, tried.from + of_end * along}, Bar{tried.to - of_end * along, tried.to}})
+                         {Bar{tried.from, tried.from + of_tail * along}, Bar{tried.to - of_heads * along, tried.to}})
                         price += clutter.along(end.from, end.to) > 0 ? on_body : 0;
                     for (const Bar& other : standing) price += continues(tried, other) ? continued : 0;
                     for (const Spot point : points) price += distance_from(tried, point) < about_point ? over_point : 0;

@@ -77,10 +77,14 @@ bool fall_together(const PolygonVector& a, const PolygonVector& b) {
 bool are_opposite(const PolygonVector& a, const PolygonVector& b) {
     return have_one_size(a, b) && length(a.tail - b.tip) < coincident && length(a.tip - b.tail) < coincident;
 }
+/// A side that cancels is one with its reaction, and with the force that it is passed on as.
+bool are_one_side(const PolygonVector& a, const PolygonVector& b) {
+    return fall_together(a, b) || ((a.internal || b.internal) && are_opposite(a, b));
+}
 /// Whether one vector would cover the other on the same line.
 bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
     constexpr double beside = 0.4, shared = 1;  // mm
-    if (a.internal || b.internal || length(a.tip - a.tail) < shared || length(b.tip - b.tail) < shared) return false;
+    if (length(a.tip - a.tail) < shared || length(b.tip - b.tail) < shared) return false;
     const Spot along = unit(a.tip - a.tail);
     if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside)
         return false;
@@ -749,22 +753,27 @@ void set_aside(PolygonParts& parts, PolygonVector& vector, const PolygonVector& 
 }  // namespace
 
 void set_side_by_side(PolygonParts& parts) {
+    // What acts from outside keeps its place before what cancels.
+    std::vector<PolygonVector*> order;
+    for (const bool internal : {false, true})
+        for (PolygonVector& vector : parts.vectors)
+            if (vector.internal == internal) order.push_back(&vector);
     std::vector<Lane> lanes;
-    for (PolygonVector& vector : parts.vectors) {
+    for (PolygonVector* const vector : order) {
         std::optional<Lane> own;
         std::optional<Spot> normal;
         std::set<int> taken;
         for (std::size_t i = 0; i < lanes.size(); ++i) {
-            if (!hide_each_other(parts.vectors[i], vector)) continue;
-            if (!own && fall_together(parts.vectors[i], vector)) own = lanes[i];
+            if (!hide_each_other(*order[i], *vector)) continue;
+            if (!own && are_one_side(*order[i], *vector)) own = lanes[i];
             taken.insert(lanes[i].number);
             if (!normal) normal = lanes[i].normal;
         }
         if (!own) {
-            own = Lane{0, normal ? *normal : outward(parts, vector)};
+            own = Lane{0, normal ? *normal : outward(parts, *vector)};
             for (int n = 0; taken.contains(own->number);) own->number = nth_lane(++n);
         }
-        vector.aside = (lane_pitch * own->number) * own->normal;
+        vector->aside = (lane_pitch * own->number) * own->normal;
         lanes.push_back(*own);
     }
     if (parts.opposites_share_label) return;  // forces: their chain stays closed

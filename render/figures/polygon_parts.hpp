@@ -74,9 +74,9 @@ struct PolygonParts {
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
 };
 
-/// Moves vectors that would cover each other apart, as in textbooks: the first on a line keeps its place, each other
-/// one takes the first free lane beside it; of two in a polygon of motion at a very small angle the shorter one is
-/// moved. Thin lines connect their ends with their true positions.
+/// Moves vectors that would cover each other apart, as in textbooks: the first on a line keeps its place, dashed sides
+/// last, each other one takes the first free lane beside it; of two in a polygon of motion at a very small angle the
+/// shorter one is moved. Thin lines connect their ends with their true positions.
 void set_side_by_side(PolygonParts& parts);
 
 /// A part of a figure that is drawn again at a larger scale.

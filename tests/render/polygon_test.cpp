@@ -628,6 +628,20 @@ TEST(PolygonNames, OfTrialsAreThoseOfSentences) {
     EXPECT_GT(unnamed, named);
 }
 
+/// A dashed side hides, and is hidden, like any other; action and reaction are one side.
+TEST(PolygonSides, ThatCancelStandBesideWhatTheyWouldCover) {
+    PolygonParts parts;
+    parts.opposites_share_label = true;
+    parts.vectors = {vector_of("F_32", {0, 0}, {0, 30}), vector_of("F_23", {0, 30}, {0, 0}),
+                     vector_of("F_W", {0, 10}, {0, 50}), vector_of("F_12", {0, 50}, {40, 0})};
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) parts.vectors[i].internal = true;
+    set_side_by_side(parts);
+    EXPECT_GT(length(parts.vectors[0].aside), 1);
+    EXPECT_EQ(length(parts.vectors[1].aside - parts.vectors[0].aside), 0);
+    EXPECT_EQ(length(parts.vectors[2].aside), 0) << "what acts from outside keeps its place";
+    EXPECT_EQ(length(parts.vectors[3].aside), 0);
+}
+
 TEST(PolygonSides, AtAVerySmallAngleTheShorterIsSetAside) {
     for (const double degrees : {0.5, 1.0, 1.9, 2.1, 4.0, 8.0}) {
         const double angle = degrees * std::numbers::pi / 180;
