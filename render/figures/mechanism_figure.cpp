@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/sentences/result_catalogue.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/figure_table.hpp"
@@ -210,23 +211,25 @@ struct MechanismFigure {
         return without.scale < figure.scale ? without : figure;
     }
 
-    /// The same with ω and α, or with ω alone. Empty and at any_scale if the scale or a name would be lost.
+    /// The same with ω and α of all bodies, or with ω of those where it can be read. Empty and at any_scale if the
+    /// scale or a name would be lost.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
-        const std::vector<std::vector<Symbol::Letter>> choices{{omega, alpha}, {omega}};
+        MotionWish all{.accelerations_of_drivers = true, .most_without_room = 2, .found = {omega, alpha}};
         constexpr std::size_t most = 6;       // with more, any figure is crowded
         constexpr double room_of_each = 900;  // mm²; in less space no label found a position
-        const Trial trial{.scale = plain.scale, .strict = true};
-        for (const std::vector<Symbol::Letter>& found : choices) {
-            const MotionWish arrows{.accelerations_of_drivers = true, .most_without_room = 2, .found = found};
-            const std::size_t count = count_of(arrows);
-            if (count == accelerations_given() || count > most ||
-                room.x * room.y < room_of_each * static_cast<double>(count))
-                continue;
-            Figure figure = drawn(trial, arrows, room, &plain);
-            // The scale bar mostly finds a place beside the mechanism; if it does not, names leave it the room below.
-            if (!has_room(figure)) figure = drawn(trial, arrows, room_for_labels(room), &plain);
-            if (is_as_readable(figure, plain, count)) return figure;
+        const std::size_t count = count_of(all);
+        if (count <= most && room.x * room.y >= room_of_each * static_cast<double>(count))
+            if (Figure figure = with(all, plain); is_as_readable(figure, plain, count)) return figure;
+        all.found = {omega};
+        all.only_readable = true;
+        all.most_without_room = 1;
+        // Without the names that stand badly the others mostly find better places.
+        constexpr int attempts = 6;
+        for (int attempt = 0; attempt < attempts; ++attempt) {
+            const Figure figure = with(all, plain);
+            if (is_as_readable(figure, plain, count_of(all))) return figure;
+            if (!leave_out_the_worst(all, figure, plain)) break;
         }
         return Figure::empty_at(any_scale);
     }
@@ -241,13 +244,59 @@ private:
         for (const DrawnLeader& leader : figure.leader_lines) most = std::max(most, length(leader.to - leader.from));
         return most;
     }
-    /// A name with a leader is hard to find, and may stand beside another arc: one more at most, or one more for each
-    /// four arcs, and short ones.
+    /// Drawn at the scale of the plain figure, whose dimensions it keeps. Empty if arrows find no place.
+    Figure with(const MotionWish& arrows, const Figure& plain) const {
+        if (count_of(arrows) == accelerations_given()) return Figure::empty_at(any_scale);
+        const Trial trial{.scale = plain.scale, .strict = true};
+        Figure figure = drawn(trial, arrows, room, &plain);
+        // The scale bar mostly finds a place beside the mechanism; if it does not, names leave it the room below.
+        if (!has_room(figure)) figure = drawn(trial, arrows, room_for_labels(room), &plain);
+        return figure;
+    }
+    /// A name with a leader is hard to find, and may stand beside another arc: how many more there may be.
+    static std::size_t leaders_for(std::size_t arcs) { return std::max<std::size_t>(1, (arcs + 3) / 4); }
+    static constexpr double short_leader = 15, seen_apart = 0.3;  // mm
     bool is_as_readable(const Figure& figure, const Figure& plain, std::size_t arcs) const {
-        constexpr double short_leader = 15;  // mm
         return !figure.marks.empty() && has_room(figure) && !figure.has_key &&
-               figure.leaders <= plain.leaders + std::max<std::size_t>(1, (arcs + 3) / 4) &&
-               astray(figure) <= astray(plain) && longest(figure) <= std::max(short_leader, longest(plain));
+               figure.leaders <= plain.leaders + leaders_for(arcs) && astray(figure) <= astray(plain) &&
+               longest(figure) <= std::max(short_leader, longest(plain) + seen_apart);
+    }
+    /// Leaves out the body to which the worst new leader belongs: one that goes astray, or else the longest. If it is
+    /// of another name, that has made way for an arc: that of the nearest body, most likely. False if none is left.
+    bool leave_out_the_worst(MotionWish& wish, const Figure& figure, const Figure& plain) const {
+        const auto badness = [](const DrawnLeader& leader) {
+            constexpr double worse_than_any_length = 1e3;
+            return length(leader.to - leader.from) + (leader.is_astray ? worse_than_any_length : 0);
+        };
+        const auto is_new = [&](const DrawnLeader& leader) {
+            return std::none_of(plain.leader_lines.begin(), plain.leader_lines.end(), [&](const DrawnLeader& before) {
+                return length(leader.from - figure.origin - (before.from - plain.origin)) < seen_apart &&
+                       badness(leader) < badness(before) + seen_apart;
+            });
+        };
+        const DrawnLeader* worst = nullptr;
+        for (const DrawnLeader& leader : figure.leader_lines)
+            if (is_new(leader) && (worst == nullptr || badness(leader) > badness(*worst))) worst = &leader;
+        if (worst == nullptr) return false;
+        const BodyIndex out = nearest_of_found(wish, *worst, figure.origin, figure.scale);
+        if (out != none) wish.left_out.push_back(out);
+        return out != none;
+    }
+    /// The body to which a leader belongs, or else the nearest of those whose ω is found and not left out.
+    BodyIndex nearest_of_found(const MotionWish& wish, const DrawnLeader& leader, Spot origin, double scale) const {
+        const auto is_wished = [&](BodyIndex body) {
+            const auto& omega = context.solution.bodies[at_index(body)].omega;
+            return omega && !omega->is_zero() &&
+                   statement_of_turning(context.solution, turning_of(body, Symbol::Letter::omega)) != none &&
+                   std::find(wish.left_out.begin(), wish.left_out.end(), body) == wish.left_out.end();
+        };
+        if (leader.body != none && is_wished(leader.body)) return leader.body;
+        Cheapest<BodyIndex> nearest{none};
+        for (const BodyStroke& stroke : Layout(subject, context.theme, scale).strokes_of_bodies())
+            if (const double away = distance_to_segment(leader.to - origin, stroke.from, stroke.to);
+                away < nearest.price && is_wished(stroke.body))
+                nearest.offer(away, stroke.body);
+        return nearest.choice;
     }
 
     /// Automatic dimensions are added last, so that they change neither the scale nor the position of a name. Those of

@@ -254,19 +254,30 @@ private:
         // Worth sixty millimetres: a leader would cross what the arrow leaves behind.
         constexpr double without_name = 3;
         constexpr double among_lines = 1.5;  // within the mechanism lines to other centres will pass
+        constexpr double at_another_centre = 6;
         const FreePaper& paper = paper_of(sketch_);
         const InkBox name = box_of_name(sketch_, name_from_afar(c));
-        const double last = sense > 0 ? ray.to : ray.from, most = edge - 0.6 * broken_end;
+        const double last = sense > 0 ? ray.to : ray.from;
+        const double first = sense * last + both_seen, most = std::max(first, edge - 0.6 * broken_end);
+        const double rest = std::fmod(most - first, step);  // so that the last one begins at the edge of the view
         Cheapest<double> best;
-        for (double on = sense * last + both_seen, first = on; on <= std::max(first, most); on += step) {
+        for (double on = first; on < most + step / 2; on += on == first && rest > 0 ? rest : step) {
             double price = obstruction(ray, sense * on, sense) + per_millimetre * (on - first);
             if (price >= best.price) continue;
             const Spot tip = ray.at + sense * (on + broken_end) * ray.along;
             if (!paper.room_about(tip, name)) price += without_name;
             if (contains(sketch_.mechanism_box(), tip)) price += among_lines;
+            if (points_at_another({ray.at + sense * on * ray.along, tip})) price += at_another_centre;
             best.offer(price, sense * on);
         }
         return best.choice;
+    }
+    /// Whether an arrow runs over or ends beside a centre that is seen, whose arrow it would seem to be.
+    bool points_at_another(const Bar& arrow) const {
+        constexpr double beside = 2.5;  // mm
+        for (std::size_t c = 0; c < all_.size(); ++c)
+            if (where_[c] == Where::here && drawn_[c] && distance(place_[c], arrow) < beside) return true;
+        return false;
     }
     double obstruction(const Ray& ray, double end, double sense) const {
         double sum = 0;

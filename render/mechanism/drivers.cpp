@@ -24,9 +24,9 @@ std::string without_filling_zeros(double value, Language language, int digits) {
     return text;
 }
 
-/// An arc with an arrowhead and its name, which later ones avoid. Returns whether its name has room beside it.
-bool draw_turning(Sketch& sketch, const Turning& turning, FreePaper& paper) {
-    const auto [arc, name] = free_arc(sketch, paper, turning);
+/// An arc with an arrowhead and its name, which later ones avoid.
+void draw_turning(Sketch& sketch, const Turning& turning, const PlacedArc& placed, FreePaper& paper) {
+    const Arc& arc = placed.arc;
     const Colour colour = sketch.theme.colour_of(turning.body).letter;
     const std::size_t first = sketch.arrows.size();
     draw_arc_arrow(sketch.arrows, arc.centre, arc.radius, arc.from, arc.to, sketch.theme.outline, colour);
@@ -34,8 +34,7 @@ bool draw_turning(Sketch& sketch, const Turning& turning, FreePaper& paper) {
     const Spot middle = arc.at(arc.from + 0.5 * (arc.to - arc.from));
     sketch.add_label(turning.text, colour, middle, clear_of_arc, turning.statement).body = turning.body;
     paper.take(arc);
-    if (name) paper.take(*name);
-    return name.has_value();
+    if (placed.name) paper.take(*placed.name);
 }
 
 std::optional<Spot> pivot_of_driver(const Layout& layout, const SpinDriver& spin) {
@@ -86,21 +85,29 @@ void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, FreePaper&
     if (spin.relative_to != frame) symbol.about += sketch.mechanism.body(spin.relative_to).name;
     const RichText text =
         given_value(sketch, symbol, value, is_rate ? sketch.mechanism.units.angular_velocity : per_second_squared());
-    draw_turning(sketch, {spin.body, *pivot, value > 0, text, none}, paper);
+    const Turning turning{spin.body, *pivot, value > 0, text, none};
+    draw_turning(sketch, turning, free_arc(sketch, paper, turning), paper);
 }
 
 /// The speed of a driven slide or point, or its acceleration.
 struct Straight {
+    Spot of;  ///< the place that moves
     Spot along;
     double value = 0;
     Symbol symbol;
     const Unit& unit;
-    BodyIndex body = none;
+    std::vector<BodyIndex> bodies{};  ///< that have the place; the first gives the colour
 };
-Straight straight(const Sketch& sketch, Given given, Spot along, const auto& driver, BodyIndex body, Symbol symbol) {
+Straight straight(const Sketch& sketch, Given given, Bar way, const auto& driver, std::vector<BodyIndex> bodies,
+                  Symbol symbol) {
     const Units& units = sketch.mechanism.units;
-    if (given == Given::rate) return {along, driver.speed.to_double(), std::move(symbol), units.velocity, body};
-    return {along, driver.acceleration.to_double(), std::move(symbol), units.acceleration, body};
+    const bool is_rate = given == Given::rate;
+    return {way.from,
+            way.to - way.from,
+            (is_rate ? driver.speed : driver.acceleration).to_double(),
+            std::move(symbol),
+            is_rate ? units.velocity : units.acceleration,
+            std::move(bodies)};
 }
 
 constexpr double half_of_straight = 7;     // mm
@@ -127,11 +134,14 @@ void draw_straight(Sketch& sketch, const Straight& arrow, const std::vector<std:
     Cheapest<Bar> best;
     for (const auto& [at, own] : places) {
         const Bar bar{at - half, at + half};
-        const double price = own + paper.price_of(bar, best.price - own);
+        double price = own + paper.price_of(bar, best.price - own);
+        if (price < best.price && (paper.seems_of_another({bar.from, at, bar.to}, arrow.bodies) ||
+                                   paper.is_cut_off(arrow.of, at, arrow.bodies)))
+            price += read_at_another;
         if (price < best.price) best.offer(price + (has_room_beside(paper, bar, name) ? 0 : without_name), bar);
     }
     const auto& [tail, tip] = best.choice;
-    const Colour colour = sketch.theme.colour_of(arrow.body).letter;
+    const Colour colour = sketch.theme.colour_of(arrow.bodies.front()).letter;
     draw_arrow(sketch.arrows, tail, tip, sketch.theme.outline, colour);
     paper.take(best.choice);
     sketch.add_label(text, colour, middle(best.choice), clear_of_straight).toward = tip;
@@ -142,7 +152,7 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, FreePape
     const Joint& joint = sketch.mechanism.joint(slide.joint);
     const Spot along = sketch.guide(joint), at = sketch.spot(joint);
     const Symbol symbol = name_of_sliding(sketch.subject.solution, slide.joint, given != Given::rate);
-    const Straight arrow = straight(sketch, given, along, slide, joint.bodies[0], symbol);
+    const Straight arrow = straight(sketch, given, {at, at + along}, slide, {joint.bodies[0], joint.bodies[1]}, symbol);
     if (arrow.value == 0) return;
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
@@ -164,7 +174,7 @@ void draw_driver(Sketch& sketch, const PointDriver& point, Given given, FreePape
                at = sketch.spot(point.at);
     const Symbol::Letter letter = given == Given::rate ? Symbol::Letter::v : Symbol::Letter::a;
     const Straight arrow =
-        straight(sketch, given, along, point, point.body, along_drive(letter, point, sketch.mechanism));
+        straight(sketch, given, {at, at + along}, point, {point.body}, along_drive(letter, point, sketch.mechanism));
     if (arrow.value == 0) return;
     constexpr double per_millimetre = 0.1;
     std::vector<std::pair<Spot, double>> places;
@@ -207,26 +217,38 @@ StatementIndex statement_of_turning(const Solution& solution, const Quantity& so
 
 namespace {
 
-/// Computed ω or α of the bodies as arcs, each with the statement that determines it, until more than `most` of the
-/// names have no room. Returns how many have none.
-std::size_t draw_turnings(Sketch& sketch, Symbol::Letter letter, FreePaper& paper, std::size_t most) {
-    std::size_t without_room = 0;
+/// The arc of a computed ω or α, if it was found and is not zero.
+std::optional<Turning> found_turning(const Sketch& sketch, BodyIndex body, Symbol::Letter letter) {
     const Solution& solution = sketch.subject.solution;
-    for (const BodyIndex body :
-         indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
-        const BodyMotion& motion = solution.bodies[at_index(body)];
-        const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
-        if (!value || value->is_zero()) continue;
-        const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
-        const Quantity turning = turning_of(body, letter);
-        const StatementIndex statement = statement_of_turning(solution, turning);
-        if (statement == none) continue;
-        const Unit unit = unit_of(result_kind(turning).unit, sketch.mechanism.units);
-        const RichText text = found_value(sketch, symbol, value->to_double(), unit);
-        const Turning arc{body, pivot_of(sketch, body), value->sign() > 0, text, statement};
-        if (!draw_turning(sketch, arc, paper) && ++without_room > most) break;
+    const BodyMotion& motion = solution.bodies[at_index(body)];
+    const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
+    if (!value || value->is_zero()) return std::nullopt;
+    const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
+    const Quantity turning = turning_of(body, letter);
+    const StatementIndex statement = statement_of_turning(solution, turning);
+    if (statement == none) return std::nullopt;
+    const Unit unit = unit_of(result_kind(turning).unit, sketch.mechanism.units);
+    return Turning{body, pivot_of(sketch, body), value->sign() > 0,
+                   found_value(sketch, symbol, value->to_double(), unit), statement};
+}
+
+/// Computed ω or α of the bodies as arcs, each with the statement that determines it, until more names than are left
+/// have no room; if only what is readable is wished, those are left out.
+/// Returns whether no more than these have none; `left` is reduced by their number.
+bool draw_turnings(Sketch& sketch, Symbol::Letter letter, const MotionWish& wish, std::size_t& left, FreePaper& paper) {
+    const std::size_t bodies = std::min(sketch.mechanism.bodies.size(), sketch.subject.solution.bodies.size());
+    for (const BodyIndex body : indices(bodies, frame.next())) {
+        if (std::find(wish.left_out.begin(), wish.left_out.end(), body) != wish.left_out.end()) continue;
+        const std::optional<Turning> turning = found_turning(sketch, body, letter);
+        if (!turning) continue;
+        const PlacedArc placed = free_arc(sketch, paper, *turning);
+        const bool has_place = placed.name || left > 0;
+        if (wish.only_readable && (!has_place || placed.price >= read_at_another)) continue;
+        draw_turning(sketch, *turning, placed, paper);
+        if (!has_place) return false;
+        if (!placed.name) --left;
     }
-    return without_room;
+    return true;
 }
 
 }  // namespace
@@ -235,11 +257,12 @@ bool draw_arrows_of_motion(Sketch& sketch, const MotionWish& wish) {
     FreePaper& paper = paper_of(sketch);
     if (wish.drivers) draw_all_drivers(sketch, Given::rate, wish.undrivable, paper);
     if (wish.accelerations_of_drivers) draw_all_drivers(sketch, Given::acceleration, wish.undrivable, paper);
-    std::size_t without_room = 0;
-    for (const Symbol::Letter letter : wish.found)
-        if (without_room <= wish.most_without_room)
-            without_room += draw_turnings(sketch, letter, paper, wish.most_without_room - without_room);
-    return without_room <= wish.most_without_room;
+    std::size_t left = wish.most_without_room;
+    const std::size_t before = sketch.labels.size();
+    const bool have_room = std::all_of(wish.found.begin(), wish.found.end(), [&](Symbol::Letter letter) {
+        return draw_turnings(sketch, letter, wish, left, paper);
+    });
+    return have_room && (!wish.only_readable || sketch.labels.size() > before);
 }
 
 }  // namespace kinegraph::render::drawing

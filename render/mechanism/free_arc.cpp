@@ -21,7 +21,7 @@ constexpr double behind = 0.1;       // ends at the stroke instead of beginning 
 constexpr double elsewhere = 0.5;    // about another point than the pivot
 constexpr double about_a_wheel = 1;  // outside of a wheel instead of at its pivot
 constexpr double past_another = 4;   // with another body between it and its stroke, whose arc it seems to be
-constexpr double per_growth = 0.12;  // per mm by which its name makes the figure larger
+constexpr double per_growth = 0.6;   // per mm by which its name makes the figure larger: a leader is better than 10 mm
 constexpr double farthest_arc = 9,
                  at_a_pin = 40;  // from the stroke, mm: along the arc, and where it is about a fixed pin
 
@@ -133,7 +133,7 @@ std::vector<ArcPlace> places_of(const Layout& layout, const Turning& turning) {
 }
 
 /// Whether a name keeps clear of its own arc.
-bool is_clear(const std::vector<Spot>& arc, const InkBox& name) {
+bool is_clear(const auto& arc, const InkBox& name) {
     return std::none_of(arc.begin(), arc.end(),
                         [&](Spot spot) { return lettering::distance_to_box(spot, name) < 0.8 * clear_of_arc; });
 }
@@ -142,7 +142,7 @@ bool is_clear(const std::vector<Spot>& arc, const InkBox& name) {
 std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox name, double off) {
     constexpr std::array turns{0.0, 0.5, -0.5, 1.0, -1.0, pi_number, pi_number - 0.5, pi_number + 0.5};
     const double middle = arc.from + 0.5 * (arc.to - arc.from);
-    const std::vector<Spot> along = spots_along(arc);
+    const auto along = spots_along(arc);
     for (const double turn : turns) {
         const Spot u = polar_spot(middle + turn);
         const double to_side = 1 / std::max(std::abs(u.x), std::abs(u.y));
@@ -150,6 +150,24 @@ std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox na
         if (is_clear(along, name) && paper.has_room_for(name)) return name;
     }
     return std::nullopt;
+}
+
+/// Whether an arc would be read as the turning of another body: that is as near or crossed, or the arc stands about a
+/// pin of others. One about the body's own fixed pin is read by that, too, unless another body stands between or is
+/// twice as near.
+bool seems_of_another(const Layout& layout, const FreePaper& paper, BodyIndex body, const Arc& arc) {
+    constexpr double about = 0.4;  // of its radius: a pin nearer to its centre seems to be that
+    bool about_any = false, about_own = false, about_fixed = false;
+    for (const Joint& joint : layout.mechanism.joints) {
+        if (!joint.pair().has_pin() || length(layout.spot(joint) - arc.centre) >= about * arc.radius) continue;
+        about_any = true;
+        about_own = about_own || joint.connects(body);
+        about_fixed = about_fixed || (joint.connects(body) && is_fixed_pin(joint));
+    }
+    const std::array spots{arc.at(arc.from), arc.at(0.5 * (arc.from + arc.to)), arc.at(arc.to)};
+    return (about_any && !about_own) || paper.is_cut_off(spots.front(), spots.back(), {body}) ||
+           (about_fixed && paper.is_cut_off(arc.centre, spots[1], {body})) ||
+           paper.seems_of_another(spots, {body}, about_fixed ? 2 : 1);
 }
 
 /// Of a name that stands away from its arc, as near as it can.
@@ -177,10 +195,12 @@ PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& 
         if (price >= best.price) continue;
         if (place.to_stroke && paper.price_of(*place.to_stroke, past_another) > 0) price += past_another;
         if (price >= best.price) continue;
+        if (seems_of_another(sketch, paper, turning.body, place.arc)) price += read_at_another;
+        if (price >= best.price) continue;
         const auto room = room_for(paper, place.arc, name, clear_of_arc);
-        const double of_name =
-            room ? per_growth * paper.beyond_all(*room) : price_of_leader(paper, place.arc, name, best.price - price);
-        best.offer(price + of_name, {place.arc, room});
+        const double of_name = room ? std::min(per_growth * paper.beyond_all(*room), without_name)
+                                    : price_of_leader(paper, place.arc, name, best.price - price);
+        best.offer(price + of_name, {place.arc, room, price});
     }
     return best.choice;
 }

@@ -16,17 +16,19 @@ struct Turning {
 };
 
 // Prices in units of a leader's, which is 6 in label_prices.hpp.
-constexpr double without_name = 6;  // the name needs a leader
+constexpr double without_name = 6;      // the name needs a leader
+constexpr double read_at_another = 12;  // it would give another body its sense
 
 constexpr double clear_of_arc = 1.5;  // between an arrow and its name, mm
 
 /// The box of a name, at the origin.
 InkBox box_of_name(const Sketch& sketch, const RichText& text);
 
-/// An arc and a place where its name covers nothing, if there is one.
+/// An arc and a place where its name covers nothing, if there is one; the price of the arc alone.
 struct PlacedArc {
     Arc arc;
     std::optional<InkBox> name;
+    double price = 0;
 };
 PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& turning);
 

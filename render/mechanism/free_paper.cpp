@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <memory>
 
+#include "render/page/label_bodies.hpp"
+
 namespace kinegraph::render::drawing {
 
 namespace {
@@ -44,24 +46,23 @@ Box room_of_names(const Sketch& sketch, const Box& drawn) {
     return {own.min - spare, own.max + spare};
 }
 
-constexpr int pieces_of_arc = 6;
-
 }  // namespace
 
-std::vector<Spot> spots_along(const Arc& arc) {
-    const Spot turn = polar_spot((arc.to - arc.from) / pieces_of_arc);
+std::array<Spot, pieces_of_arc + 1> spots_along(const Arc& arc) {
+    const Spot turn = polar_spot((arc.to - arc.from) / static_cast<double>(pieces_of_arc));
     Spot arm = arc.radius * polar_spot(arc.from);
-    std::vector<Spot> spots{arc.centre + arm};
-    for (int i = 0; i < pieces_of_arc; ++i) {
+    std::array<Spot, pieces_of_arc + 1> spots;
+    for (Spot& spot : spots) {
+        spot = arc.centre + arm;
         arm = {turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y};
-        spots.push_back(arc.centre + arm);
     }
     return spots;
 }
 
 FreePaper& paper_of(Sketch& sketch) {
     if (!sketch.paper)
-        sketch.paper = std::make_shared<FreePaper>(grown(sketch.mechanism_box(), beside_all + sketch.size() / 2));
+        sketch.paper = std::make_shared<FreePaper>(grown(sketch.mechanism_box(), beside_all + sketch.size() / 2),
+                                                   sketch.strokes_of_bodies());
     sketch.paper->take_what_is_new(sketch);
     return *sketch.paper;
 }
@@ -77,30 +78,54 @@ void FreePaper::take_what_is_new(const Sketch& sketch) {
     }
     drawn_ = extent_of(sketch);
     room_ = room_of_names(sketch, drawn_);
+    if (reserved_) drawn_.include(*reserved_);
+}
+
+double FreePaper::price_of(const auto& along, double enough) const {
+    // A third of an arrow on solid ink is as bad as a leader: see label_prices.hpp. Along a thin line it is not much.
+    constexpr double on_solid_ink = 16, on_thin_lines = 1.5;
+    const double share = 1.0 / static_cast<double>(along.size() - 1);
+    // A piece that is no longer than wide has an upright box, which is tested faster.
+    const auto about = [](Spot d, Spot middle) -> InkBox {
+        if (dot(d, d) <= 4 * clear_of_ink * clear_of_ink) return {middle, {clear_of_ink, clear_of_ink}};
+        return {middle, {length(d) / 2, clear_of_ink}, unit(d)};
+    };
+    double price = 0;
+    for (std::size_t i = 0; i + 1 < along.size() && price < enough; ++i) {
+        const Spot d = along[i + 1] - along[i];
+        const InkBox box = about(d, 0.5 * (along[i] + along[i + 1]));
+        price += share * (solid_.touches(box) ? on_solid_ink : thin_.touches(box) ? on_thin_lines : 0);
+    }
+    return price;
 }
 
 double FreePaper::price_of(const Arc& arc, double enough) const { return price_of(spots_along(arc), enough); }
 double FreePaper::price_of(const Bar& bar, double enough) const {
-    return price_of({bar.from, middle(bar), bar.to}, enough);
-}
-
-double FreePaper::price_of(const std::vector<Spot>& along, double enough) const {
-    // A third of an arrow on solid ink is as bad as a leader: see label_prices.hpp. Along a thin line it is not much.
-    constexpr double on_solid_ink = 16, on_thin_lines = 1.5;
-    const double share = 1.0 / static_cast<double>(along.size() - 1);
-    double price = 0;
-    for (std::size_t i = 0; i + 1 < along.size() && price < enough; ++i) {
-        const Spot d = along[i + 1] - along[i];
-        const InkBox box{0.5 * (along[i] + along[i + 1]), {length(d) / 2, clear_of_ink}, unit(d)};
-        price += share * (solid_.touches(box) ? on_solid_ink : thin_.touches(box) ? on_thin_lines : 0);
-    }
-    return price;
+    return price_of(std::array{bar.from, middle(bar), bar.to}, enough);
 }
 
 bool FreePaper::has_room_for(const InkBox& name) const {
     const Spot reach = name.reach();
     return contains(room_, name.centre - reach) && contains(room_, name.centre + reach) &&
            !solid_.touches(name.grown(about_name)) && !thin_.touches(name.grown(about_name));
+}
+
+bool FreePaper::seems_of_another(const std::array<Spot, 3>& along, const std::vector<BodyIndex>& own,
+                                 double factor) const {
+    constexpr double seen_apart = 1;  // distances that differ by less look the same, mm
+    double to_own = 1e300, to_other = 1e300;
+    for (const BodyStroke& stroke : strokes_) {
+        double& least = std::find(own.begin(), own.end(), stroke.body) == own.end() ? to_other : to_own;
+        for (const Spot spot : along) least = std::min(least, distance_to_segment(spot, stroke.from, stroke.to));
+    }
+    return to_other < to_own / factor + (factor > 1 ? 0 : seen_apart);
+}
+
+bool FreePaper::is_cut_off(Spot place, Spot arrow, const std::vector<BodyIndex>& own) const {
+    return std::any_of(strokes_.begin(), strokes_.end(), [&](const BodyStroke& stroke) {
+        return std::find(own.begin(), own.end(), stroke.body) == own.end() &&
+               lettering::cross_each_other(place, arrow, stroke);
+    });
 }
 
 double FreePaper::beyond_all(const InkBox& name) const {
@@ -121,10 +146,18 @@ std::optional<InkBox> FreePaper::room_about(Spot spot, const InkBox& name) const
 }
 
 void FreePaper::take(const Arc& arc) {
-    const std::vector<Spot> spots = spots_along(arc);
+    const auto spots = spots_along(arc);
     for (std::size_t i = 0; i + 1 < spots.size(); ++i) take(Bar{spots[i], spots[i + 1]});
 }
 void FreePaper::take(const Bar& bar) { solid_.stroke(bar.from, bar.to, half_arrow); }
-void FreePaper::take(const InkBox& name) { solid_.fill(name); }
+void FreePaper::take(const InkBox& name) {
+    solid_.fill(name);
+    const Box box{name.centre - name.reach(), name.centre + name.reach()};
+    if (reserved_)
+        reserved_->include(box);
+    else
+        reserved_ = box;
+    drawn_.include(box);
+}
 
 }  // namespace kinegraph::render::drawing

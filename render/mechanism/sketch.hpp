@@ -103,9 +103,11 @@ struct MotionWish {
     bool accelerations_of_drivers = false;  ///< as far as they are given, as separate arcs and arrows
     std::size_t most_without_room = most_names;  ///< names of what is found that may stand away from their arcs
     std::vector<Symbol::Letter> found{};  ///< computed ω or α of the bodies, each with the statement that finds it
+    bool only_readable = false;  ///< of what is found, only those whose arc finds a place where it is read as theirs
+    std::vector<BodyIndex> left_out{};  ///< bodies of which nothing is drawn that is found
 };
-/// Draws them where they and their names meet nothing that is drawn so far. False if too many names have no such place;
-/// not all are drawn then.
+/// Draws them where they and their names meet nothing that is drawn so far. False if too many names have no such place
+/// (not all are drawn then), or if nothing that was found is readable.
 bool draw_arrows_of_motion(Sketch& sketch, const MotionWish& wish);
 /// The statement that determines the angular velocity or acceleration of a body; none if there is no such statement.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);

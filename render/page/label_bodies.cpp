@@ -15,13 +15,13 @@ constexpr double own_object = 1.7;  // what lies nearer to the end of a leader b
 constexpr double seen_apart = 0.3;  // two distances that differ by less look the same, mm
 constexpr double passes = 1.3;      // nearer to a point than this a leader seems to end there, mm
 
+}  // namespace
+
 bool cross_each_other(Spot from, Spot to, const BodyStroke& stroke) {
     const auto side = [](Spot a, Spot b, Spot c) { return cross(b - a, c - a); };
     return side(from, to, stroke.from) * side(from, to, stroke.to) < 0 &&
            side(stroke.from, stroke.to, from) * side(stroke.from, stroke.to, to) < 0;
 }
-
-}  // namespace
 
 double Bodies::near_another(const LabelRequest& request, const InkBox& box) const {
     if (request.body == none || request.balloon <= 0) return 0;

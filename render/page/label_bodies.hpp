@@ -10,6 +10,9 @@
 
 namespace kinegraph::render::lettering {
 
+/// Whether a segment crosses a stroke; touching an end is no crossing.
+bool cross_each_other(Spot from, Spot to, const BodyStroke& stroke);
+
 class Bodies {
 public:
     Bodies(const std::vector<LabelRequest>& requests, const std::vector<BodyStroke>& strokes)

@@ -1,11 +1,14 @@
-// Labels of the mechanism figure, over all examples in rooms of several sizes: a body's number is nearer to its own
-// body than to another, and a leader passes no point that has another name and crosses no body but its own.
+// Labels and arcs of the mechanism figure, over all examples in rooms of several sizes: a body's number and the arc of
+// its ω are nearer to it than to another body, and a leader passes no point that has another name and crosses no body
+// but its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/figures/figure.hpp"
@@ -180,6 +183,77 @@ TEST(MechanismLabels, AreNotReadAsThoseOfOtherBodiesAndPoints) {
     EXPECT_LE(faults.past_a_point, faults.leaders / 100) << faults.said;
     EXPECT_LE(faults.over_a_body, faults.leaders / 10) << faults.said;
     EXPECT_LE(faults.far_away, faults.leaders / 10) << faults.said;
+}
+
+/// The arcs of ω and α: the curved strokes of the layer of arrows, each in the colour of its body.
+std::vector<std::pair<Arc, Colour>> arcs_of(const Figure& figure) {
+    std::vector<std::pair<Arc, Colour>> arcs;
+    int depth = 0, within = 0;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            ++depth;
+            if (std::string_view(group->cls) == "arrows") within = depth;
+        }
+        if (std::holds_alternative<GroupEnd>(mark) && depth-- == within) within = 0;
+        const auto* path = std::get_if<Path>(&mark);
+        if (within == 0 || path == nullptr || !path->stroked || path->segments.size() != 2) continue;
+        if (const auto* round = std::get_if<ArcTo>(&path->segments[1]))
+            arcs.push_back({{round->centre, round->radius, round->from, round->to}, path->pen.colour});
+    }
+    return arcs;
+}
+
+/// Whether an arc is as near to another body as to its own, or crosses another; about a fixed pin of its own it may
+/// come nearer to others, but not beyond them.
+bool may_be_of_another(const Arc& arc, BodyIndex body, const Layout& layout, Spot origin) {
+    const std::array spots{arc.at(arc.from), arc.at(0.5 * (arc.from + arc.to)), arc.at(arc.to)};
+    const bool about_its_pin =
+        std::any_of(layout.mechanism.joints.begin(), layout.mechanism.joints.end(), [&](const Joint& joint) {
+            return is_fixed_pin(joint) && joint.connects(body) && length(layout.spot(joint) + origin - arc.centre) < 1;
+        });
+    double near = 1e300, other = 1e300;
+    for (const BodyStroke& stroke : layout.strokes_of_bodies()) {
+        const Bar bar{stroke.from + origin, stroke.to + origin};
+        double& least = stroke.body == body ? near : other;
+        for (const Spot spot : spots) least = std::min(least, drawing::distance(spot, bar));
+        if (stroke.body == body) continue;
+        if (cross_each_other({spots[0], spots[2]}, bar)) return true;
+        if (about_its_pin && cross_each_other({arc.centre, spots[1]}, bar)) return true;
+    }
+    return !about_its_pin && other < near + 0.5;
+}
+
+TEST(MechanismArcs, StandAtTheirOwnBodyAndMostRatesAreShown) {
+    const Theme theme;
+    int arcs = 0, doubtful = 0, rates = 0, shown = 0;
+    std::string said;
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        if (solution.instantaneous_motion || solution.mechanism.drivers.empty()) continue;
+        const DrawingContext context{solution, theme, fonts()};
+        Figure figure = mechanism_figure(context, 150, 110, !solution.centres.empty());
+        if (Figure more = mechanism_with_found_turnings(context, figure, {150, 110}, !solution.centres.empty());
+            !more.marks.empty())
+            figure = std::move(more);
+        const Subject subject(solution);
+        const Layout layout(subject, theme, figure.places);
+        for (const auto& [arc, colour] : arcs_of(figure)) {
+            BodyIndex own = none;
+            for (const BodyIndex body : layout.mechanism.moving_bodies())
+                if (theme.colour_of(body).letter == colour) own = body;
+            ASSERT_NE(own, none);
+            ++arcs;
+            if (!may_be_of_another(arc, own, layout, figure.origin)) continue;
+            ++doubtful;
+            said += layout.mechanism.body(own).name + " in " + name + "\n";
+        }
+        for (const Placed& label : labels_of(figure)) shown += label.words.starts_with("ω_") ? 1 : 0;
+        for (const BodyMotion& motion : solution.bodies) rates += motion.omega && !motion.omega->is_zero() ? 1 : 0;
+    }
+    ASSERT_GT(arcs, 120);
+    // Where links lie on each other, no arc is clearly nearer to its own.
+    EXPECT_LE(doubtful, arcs / 30) << said;
+    EXPECT_GE(5 * shown, 4 * rates) << shown << " of " << rates;
 }
 
 TEST(MechanismLabels, GiveNoRateToADriverAtADeadPoint) {
