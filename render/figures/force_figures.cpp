@@ -902,20 +902,20 @@ double rope_of(const Sketch& sketch, const AppliedForce& applied) {
     return 0;
 }
 
-/// An arrow of fixed length at a distance from its point, pulling or pushing, where it crosses least. `rope`: that it
-/// stands on, as far as its middle.
+/// An arrow of fixed length at a distance from its point, pulling or pushing, where it crosses least. `rope`: that
+/// pulls. The two arrows stand on its halves if these have room for them; on a shorter one their heads would nearly
+/// meet, as those of a bar in tension, so that they push from outside, as a hand does.
 Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, const std::vector<Bar>& standing,
                double rope) {
-    constexpr double least = 7, between = 0.5;
     const std::vector<double> stand_offs =
         acts_at_centre(applied) ? std::vector<double>{2.2} : std::vector<double>{2.4, 7.0};
-    const double on_rope = 0.5 * rope - stand_offs.front() - between;
-    constexpr double whole = 20;
+    constexpr double longest = 20, shortest = 12, on_short_rope = 3;
+    const double whole = rope > 0 ? std::clamp(0.5 * rope, shortest, longest) : longest;
     const Spot along = paper_direction(applied.force);
     const bool at_centre = acts_at_centre(applied);
-    if (on_rope > least) {
+    if (0.5 * rope > 2 * stand_offs.front() + longest) {
         const Spot tail = at + stand_offs.front() * along;
-        return {tail, tail + std::min(on_rope, whole) * along};
+        return {tail, tail + whole * along};
     }
     Cheapest<Bar> best;
     for (const double stand_off : stand_offs)
@@ -925,6 +925,7 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
             double price = clutter.along(arrow.from, arrow.to) + 0.03 * stand_off;
             if (at_centre && !pulls) price += 0.6;
             if (applied.is_reaction() && pulls) price += 0.15;
+            if (rope > 0 && pulls) price += on_short_rope;
             for (const double side : {0.0, beside_an_arrow, -beside_an_arrow}) {
                 const Bar tried = moved(arrow, side * turned(along));
                 const bool is_free = side == 0 || reads_as_one(arrow, standing);
@@ -988,6 +989,40 @@ Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const Appli
                 }
             }
     return best.choice;
+}
+
+/// The cylinder whose force it is; null: none.
+const Cylinder* cylinder_of(const Sketch& sketch, const AppliedForce& applied) {
+    if (applied.kind != Quantity::Kind::effort) return nullptr;
+    for (const Cylinder& cylinder : sketch.cylinders())
+        if (coincide(sketch.spot(sketch.mechanism.joint(cylinder.joint)), sketch.spot(applied.at))) return &cylinder;
+    return nullptr;
+}
+
+/// Beside the barrel: rod and barrel fill the line of action, and beyond them are other bodies.
+Bar arrow_beside(const Sketch& sketch, const Clutter& clutter, const Cylinder& cylinder, const AppliedForce& applied) {
+    constexpr double whole = 20, off = 2.5, per_millimetre = 0.01;
+    const Spot along = paper_direction(applied.force), across = turned(along);
+    double half = 0;
+    for (const Spot corner : corners_of_barrel(sketch, cylinder))
+        half = std::max(half, std::abs(dot(corner - cylinder.barrel.from, across)));
+    Cheapest<Bar> best;
+    for (const double on : {0.0, 5.0, -5.0, 10.0, -10.0})
+        for (const double side : {1.0, -1.0}) {
+            const Spot at = middle(cylinder.barrel) + on * along + side * (half + off) * across;
+            const Bar arrow{at - 0.5 * whole * along, at + 0.5 * whole * along};
+            best.offer(clutter.along(arrow.from, arrow.to) + per_millimetre * std::abs(on), arrow);
+        }
+    return best.choice;
+}
+
+/// The arrow of a force that acts at a point.
+Bar arrow_of_force(const Sketch& sketch, const Clutter& clutter, const AppliedForce& applied,
+                   const std::vector<Bar>& standing) {
+    const Cylinder* const cylinder = cylinder_of(sketch, applied);
+    return cylinder != nullptr
+               ? arrow_beside(sketch, clutter, *cylinder, applied)
+               : free_arrow(clutter, applied, sketch.spot(applied.at), standing, rope_of(sketch, applied));
 }
 
 /// Draws only the sense of a force, at its arrow.
@@ -1355,8 +1390,7 @@ private:
                 if (is_shown_on_mechanism(body, applied, !load.empty()) && !applied.force.is_zero()) {
                     standing.push_back(applied.is_resultant()
                                            ? arrow_of_resultant(sketch, clutter, applied, meets_, view, standing)
-                                           : free_arrow(clutter, applied, sketch.spot(applied.at), standing,
-                                                        rope_of(sketch, applied)));
+                                           : arrow_of_force(sketch, clutter, applied, standing));
                     draw_sense(sketch, clutter, applied, context_.theme.colour_of(body.body), applied.force_statement,
                                force_binding(load, body, applied), standing.back());
                 }

@@ -122,12 +122,12 @@ void draw_coil(Sketch& sketch, const SpringLoad& spring) {
     sketch.ground.emplace_back(GroupEnd{});
 }
 
-/// Two points that a force of a given magnitude pulls together, as a rope does. Below the bodies and no obstacle: its
-/// two forces stand on it.
+/// Two points that a force of a given magnitude pulls together, as a rope does. Thin, since it is no bar; below the
+/// bodies and no obstacle: its two forces may stand on it.
 void draw_pull(Sketch& sketch, const SpringLoad& pull) {
     std::vector<Mark>& marks = sketch.construction;
     marks.emplace_back(GroupBegin{"spring", sketch.id("spring", pull.name), pull.name, {}, none, between_ends(pull)});
-    marks.emplace_back(line(sketch.spot(pull.between[0]), sketch.spot(pull.between[1]), sketch.outline()));
+    marks.emplace_back(line(sketch.spot(pull.between[0]), sketch.spot(pull.between[1]), sketch.thin()));
     marks.emplace_back(GroupEnd{});
 }
 
