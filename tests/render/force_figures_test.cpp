@@ -13,6 +13,7 @@
 #include "lang/keys/sentences.hpp"
 #include "lang/keys/sheet.hpp"
 #include "render/figures/caption.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/sheet.hpp"
@@ -815,6 +816,76 @@ TEST(LinesOfAction, ThatPassOutsideAreNotDrawn) {
     ASSERT_EQ(figure.scale, 0.1);
     constexpr double links = 60, arrows = 30;  // mm, of 6 m; on either side, with their names
     EXPECT_LT(figure.box.width(), links + 2 * arrows + 40);
+}
+
+/// The shafts of the arrows of a figure of the mechanism, with its origin at that of coordinates.
+std::vector<drawing::Bar> shafts_of(const Figure& figure) {
+    std::vector<drawing::Bar> shafts;
+    bool within = false;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) within = group->cls == "arrows";
+        if (std::holds_alternative<GroupEnd>(mark)) within = false;
+        const auto* path = std::get_if<Path>(&mark);
+        if (!within || path == nullptr || !path->stroked || path->segments.size() != 2) continue;
+        const auto* from = std::get_if<MoveTo>(path->segments.data());
+        const auto* to = std::get_if<LineTo>(&path->segments[1]);
+        if (from && to) shafts.push_back({from->to - figure.origin, to->to - figure.origin});
+    }
+    return shafts;
+}
+
+/// On the axis of a cylinder are its rod and barrel, and beyond them other bodies.
+TEST(LinesOfAction, HaveTheForceOfACylinderBesideIt) {
+    using namespace drawing;
+    const Theme theme;
+    std::size_t cylinders = 0;
+    for (const char* const name : {"tipper", "tipper_mirrored", "excavator_arm", "scissor_lift"}) {
+        const Solution& solution = example(name);
+        const Figure figure = mechanism_with_forces({solution, theme, fonts()}, 180, 140, all_loads, {});
+        const Subject subject(solution);
+        const Layout layout(subject, theme, figure.places);
+        for (const Cylinder& cylinder : layout.cylinders()) {
+            ++cylinders;
+            double half = 0;
+            for (const Spot corner : corners_of_barrel(layout, cylinder))
+                half = std::max(half, std::abs(cross(direction(cylinder.barrel), corner - cylinder.barrel.from)));
+            constexpr double parallel = 0.02, near = 4;  // mm, with the width of strokes
+            const auto shafts = shafts_of(figure);
+            EXPECT_TRUE(std::any_of(shafts.begin(), shafts.end(), [&](const Bar& shaft) {
+                const double away = drawing::distance(middle(shaft), cylinder.barrel);
+                return std::abs(cross(direction(shaft), direction(cylinder.barrel))) < parallel && away > half &&
+                       away < half + near;
+            })) << name;
+            EXPECT_TRUE(std::none_of(shafts.begin(), shafts.end(), [&](const Bar& shaft) {
+                return std::abs(cross(direction(shaft), direction(cylinder.barrel))) < parallel &&
+                       drawing::distance(cylinder.piston, shaft) < 1;
+            })) << name;
+        }
+    }
+    EXPECT_EQ(cylinders, 6U);
+}
+
+/// Two arrows on the short way between the points that they pull together would make a bar in tension of it.
+TEST(LinesOfAction, HaveTheForcesOfAHandOutside) {
+    using namespace drawing;
+    const Theme theme;
+    const Solution& pliers = example("pliers");
+    const Figure figure = mechanism_with_forces({pliers, theme, fonts()}, 150, 100, all_loads, {});
+    const Subject subject(pliers);
+    const Layout layout(subject, theme, figure.places);
+    const auto spot = [&](const char* name) {
+        for (const PointIndex point : indices_of(pliers.mechanism.points))
+            if (pliers.mechanism.point(point).name == name) return layout.spot(point);
+        return Spot{};
+    };
+    const Bar way{spot("K"), spot("L")};
+    int beyond = 0;
+    for (const Bar& shaft : shafts_of(figure)) {
+        if (std::abs(cross(direction(way), shaft.from - way.from)) > 1) continue;
+        EXPECT_GT(drawing::distance(middle(shaft), way), 3);
+        ++beyond;
+    }
+    EXPECT_EQ(beyond, 2);
 }
 
 }  // namespace
