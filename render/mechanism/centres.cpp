@@ -338,6 +338,11 @@ private:
         const bool pin_there = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
             return (joint.pair().has_pin() || joint.pair().is_clamp()) && coincide(sketch_.spot(joint), at);
         });
+        const double pin = sketch_.measures.pin_radius;
+        // A full dot or its ring would hide part of a pin that it overlaps.
+        const bool beside_pin = !pin_there && std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+            return joint.pair().has_pin() && length(sketch_.spot(joint) - at) < pin + 0.8;
+        });
         const bool at_pin =
             pin_there && std::any_of(cluster.begin(), cluster.end(), [&](std::size_t d) { return is_primary(d); });
         const Theme& theme = sketch_.theme;
@@ -345,16 +350,16 @@ private:
             std::vector<Mark>& marks = sketch_.centres;
             marks.emplace_back(group(d));
             // A dot on a stroke gets a white ring, or a dark link would hide it.
-            if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
+            if (!pin_there && !beside_pin && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
             if (at_pin && is_primary(d))
-                marks.emplace_back(tinted(disc(at, 0.6 * sketch_.measures.pin_radius, theme.paper)));
+                marks.emplace_back(tinted(disc(at, 0.6 * pin, theme.paper)));
             else
-                marks.emplace_back(disc(at, at_pin ? 0.55 : 0.8, theme.text));
+                marks.emplace_back(disc(at, at_pin || beside_pin ? 0.55 : 0.8, theme.text));
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, at_pin);
         label.anchor = at;
-        label.clearance = at_pin ? sketch_.measures.pin_radius + 0.8 : 1.7;
+        label.clearance = at_pin ? pin + 0.8 : 1.7;
         return label;
     }
 
