@@ -30,12 +30,13 @@ double arrow_at(const Wanted& wanted, double scale) {
 /// A body shows no more forces when it is larger than this, mm.
 double most_of(const Wanted& wanted) { return wanted.arrow > 0 ? 110 : std::numeric_limits<double>::infinity(); }
 
-/// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures. Above
-/// 80 mm lengths can be read to a hundredth or better, and a larger figure gains little.
+/// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures, and a
+/// greater one for those that can hardly be read. Above 80 mm lengths can be read to a hundredth or better, and a larger
+/// figure gains little.
 double use_of_figure(double size) {
-    constexpr double long_enough = 80, of_more = 0.3;
-    const double read = std::min(size, long_enough);
-    return nearest::log(read) - 40 / read + of_more * nearest::log(size / read);
+    constexpr double long_enough = 80, of_more = 0.3, hardly_read = 20;
+    const double read = std::min(size, long_enough), small = hardly_read / read;
+    return nearest::log(read) - 40 / read - small * small * small + of_more * nearest::log(size / read);
 }
 
 /// What is measured on a polygon is shorter than its longest vector: of two polygons the smaller one gains more by a
