@@ -350,7 +350,8 @@ private:
             std::vector<Mark>& marks = sketch_.centres;
             marks.emplace_back(group(d));
             // A dot on a stroke gets a white ring, or a dark link would hide it.
-            if (!pin_there && !beside_pin && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
+            if (!pin_there && !beside_pin && sketch_.crowding(at, at) > 0)
+                marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
             if (at_pin && is_primary(d))
                 marks.emplace_back(tinted(disc(at, 0.6 * pin, theme.paper)));
             else

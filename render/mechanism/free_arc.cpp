@@ -170,13 +170,16 @@ bool seems_of_another(const Layout& layout, const FreePaper& paper, BodyIndex bo
            paper.seems_of_another(spots, {body}, about_fixed ? 2 : 1);
 }
 
-/// Of a name that stands away from its arc, as near as it can.
-double price_of_leader(const FreePaper& paper, const Arc& arc, const InkBox& name, double enough) {
-    constexpr double nearest = 6, step = 5, farthest_off = 21, per_length = 0.3;
+/// Of a name that stands away from its arc, as near as it can; a leader that crosses another body leads astray.
+double price_of_leader(const FreePaper& paper, BodyIndex body, const Arc& arc, const InkBox& name, double enough) {
+    constexpr double nearest = 6, step = 5, farthest_off = 21, per_length = 0.3, over_a_body = 6;
     double price = without_name;
     for (double off = nearest; off < farthest_off && price < enough; off += step, price += per_length * step)
-        if (room_for(paper, arc, name, off)) break;
-    return price;
+        if (const auto room = room_for(paper, arc, name, off)) {
+            const Spot from = arc.at(0.5 * (arc.from + arc.to));
+            return price + (paper.is_cut_off(from, room->centre, {body}) ? over_a_body : 0);
+        }
+    return price + 0.5 * over_a_body;  // it may have to cross one
 }
 
 }  // namespace
@@ -199,7 +202,7 @@ PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& 
         if (price >= best.price) continue;
         const auto room = room_for(paper, place.arc, name, clear_of_arc);
         const double of_name = room ? std::min(per_growth * paper.beyond_all(*room), without_name)
-                                    : price_of_leader(paper, place.arc, name, best.price - price);
+                                    : price_of_leader(paper, turning.body, place.arc, name, best.price - price);
         best.offer(price + of_name, {place.arc, room, price});
     }
     return best.choice;
