@@ -179,7 +179,7 @@ double price_of_leader(const FreePaper& paper, BodyIndex body, const Arc& arc, c
             const Spot from = arc.at(0.5 * (arc.from + arc.to));
             return price + (paper.is_cut_off(from, room->centre, {body}) ? over_a_body : 0);
         }
-    return price + 0.5 * over_a_body;  // it may have to cross one
+    return price + over_a_body / 3;  // farther off it may have to cross one
 }
 
 }  // namespace
