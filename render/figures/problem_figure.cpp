@@ -1,5 +1,6 @@
 #include "render/figures/problem_figure.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/page/labels.hpp"
@@ -29,14 +30,17 @@ Figure finished(Figure figure, const DrawingContext& context, Spot room) {
 }
 
 void draw_pivot_on_frame(std::vector<Mark>& marks, Spot pin, Spot down, Colour colour, const Theme& theme) {
-    constexpr double height = 5.5, half = 3.2, wall = 5, pitch = 2, depth = 1.7;  // mm
-    const Spot foot = pin + height * down, along = turned(down);
-    marks.emplace_back(
-        polyline({pin, foot - half * along, foot + half * along}, {theme.outline, theme.text, {}, false}, true));
-    marks.emplace_back(line(foot - wall * along, foot + wall * along, {2 * theme.outline, theme.text, {}, false}));
-    for (double at = -2 * pitch; at <= 2 * pitch; at += pitch)
-        marks.emplace_back(line(foot + at * along, foot + (at + 0.75 * pitch) * along + depth * down,
-                                {theme.thin, theme.text, {}, false}));
+    // As the ground of mechanisms: hatching at 45° that is thinner than the line over it and ends with it.
+    constexpr double height = 5.5, half = 3.2, wall = 4.8, pitch = 1.6, depth = 2;  // mm
+    const Spot foot = pin + height * down, along = turned(down), end = foot - wall * along;
+    const Pen outline{theme.outline, theme.text, {}, false};
+    marks.emplace_back(polyline({pin, foot - half * along, foot + half * along}, outline, true));
+    marks.emplace_back(line(end, foot + wall * along, outline));
+    for (double at = pitch; at <= 2 * wall; at += pitch) {
+        const double back = std::min(depth, at);
+        marks.emplace_back(
+            line(end + at * along, end + (at - back) * along + back * down, {theme.thin, theme.text, {}, false}));
+    }
     marks.emplace_back(ring(pin, 1.3, theme.paper, {theme.outline, colour, {}, false}));
 }
 
