@@ -69,7 +69,7 @@ TEST(ContactFigures, TheShoesPivotIsOnTheFrame) {
         const DrawingContext context{example(name), theme, fonts()};
         const Figure figure = reye_contact_figure(context, 80, 90);
         std::size_t walls = 0;
-        for (const Stroke& wall : strokes(figure, 2 * theme.outline, theme.text)) {
+        for (const Stroke& wall : strokes(figure, theme.outline, theme.text)) {
             std::size_t hatches = 0;
             for (const Stroke& each : strokes(figure, theme.thin, theme.text))
                 hatches += distance(each.from, wall) < 0.01 && length(each.to - each.from) < 4 ? 1 : 0;
