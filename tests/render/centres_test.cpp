@@ -177,5 +177,32 @@ TEST(CentresInTheFigure, out_of_reach_have_name_and_distance) {
     EXPECT_GT(far, 0U);
 }
 
+/// An arrow that ends at the dot of another centre would have that centre's name.
+TEST(CentresInTheFigure, out_of_reach_have_their_arrows_clear_of_other_centres) {
+    const Theme theme;
+    std::size_t far = 0, met = 0;
+    std::string said;
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        if (solution.instantaneous_motion) continue;
+        for (const Spot room : rooms) {
+            const Drawn all = drawn(mechanism_figure({solution, theme, fonts(), Language::en}, room.x, room.y, true));
+            for (const Shown& shown : all.centres) {
+                if (!shown.shaft || shown.title.find("∞") != std::string::npos) continue;
+                ++far;
+                constexpr double clear = 2;  // mm
+                if (std::none_of(all.centres.begin(), all.centres.end(), [&](const Shown& other) {
+                        return other.dot && drawing::distance(*other.dot, *shown.shaft) < clear;
+                    }))
+                    continue;
+                ++met;
+                said += shown.title + " of " + name + " in " + std::to_string(room.x) + "\n";
+            }
+        }
+    }
+    ASSERT_GT(far, 60U);
+    EXPECT_LE(met, far / 30) << said;
+}
+
 }  // namespace
 }  // namespace kinegraph::render::centres_test
