@@ -729,6 +729,22 @@ namespace {
 
 constexpr double lane_pitch = 2.2;  // of lanes, mm: an arrowhead with a small distance
 
+/// Whether a vector that is set aside would begin where another one begins, which begins elsewhere.
+bool seems_to_begin_with(const PolygonVector& aside, const PolygonVector& other) {
+    constexpr double apart = 1.2;  // mm, half of a head
+    return length(aside.tail - other.tail) > coincident &&
+           length(aside.tail + aside.aside - other.tail - other.aside) < apart;
+}
+
+/// Whether a vector of a polygon of motion would begin where another one begins, in this lane.
+bool begins_elsewhere(const PolygonParts& parts, const PolygonVector& vector, const Lane& lane) {
+    if (parts.opposites_share_label || lane.number == 0) return false;
+    PolygonVector tried = vector;
+    tried.aside = (lane_pitch * lane.number) * lane.normal;
+    return std::any_of(parts.vectors.begin(), parts.vectors.end(),
+                       [&](const PolygonVector& other) { return seems_to_begin_with(tried, other); });
+}
+
 /// Moves a vector off a longer one that it meets at a very small angle, to the side on which it lies and where nothing
 /// lies yet.
 void set_aside(PolygonParts& parts, PolygonVector& vector, const PolygonVector& longer) {
@@ -737,9 +753,10 @@ void set_aside(PolygonParts& parts, PolygonVector& vector, const PolygonVector& 
     const Spot normal = off < 0 ? -1.0 * across : across;
     PolygonVector tried = vector;
     const auto is_free = [&](const PolygonVector& other) {
-        return fall_together(other, vector) || (!lies_on(tried, other) && !lies_on(other, tried));
+        return fall_together(other, vector) ||
+               (!lies_on(tried, other) && !lies_on(other, tried) && !seems_to_begin_with(tried, other));
     };
-    constexpr int lanes = 4;
+    constexpr int lanes = 6;
     for (int n = 1; n <= lanes; ++n) {
         tried.aside = (lane_pitch * nth_lane(n)) * normal;
         if (std::all_of(parts.vectors.begin(), parts.vectors.end(), is_free)) break;
@@ -771,7 +788,8 @@ void set_side_by_side(PolygonParts& parts) {
         }
         if (!own) {
             own = Lane{0, normal ? *normal : outward(parts, *vector)};
-            for (int n = 0; taken.contains(own->number);) own->number = nth_lane(++n);
+            for (int n = 0; taken.contains(own->number) || begins_elsewhere(parts, *vector, *own);)
+                own->number = nth_lane(++n);
         }
         vector->aside = (lane_pitch * own->number) * own->normal;
         lanes.push_back(*own);
