@@ -530,6 +530,18 @@ std::vector<AppliedForce> sums_on_mechanism(const Sketch& sketch, const FreeBody
     return shown;
 }
 
+/// The name of a resultant, for its line; its place is found with the line.
+LabelRequest label_of_line(const Sketch& sketch, const AppliedForce& sum, const std::string& held) {
+    return {.text = typeset(sum.symbol, sketch.context.language),
+            .size = sketch.theme.equation,
+            .colour = sketch.theme.colour_of(none).letter,
+            .is_of_vector = true,
+            .clearance = 1.5,
+            .statement = sum.force_statement,
+            .names = {name_of(sum.symbol)},
+            .holds = on_force(Form::with, held)};
+}
+
 bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == Quantity::Kind::weight || applied.kind == Quantity::Kind::inertia;
 }
@@ -594,7 +606,7 @@ public:
                             [&](const AppliedForce& f) { return f.force == sum.force; }))
                 draw_force(sum, held);
             else
-                add_line_of(sum, held, label_of_line(sum, held));
+                add_line_of(sum, held, label_of_line(sketch_, sum, held));
         }
         for (std::size_t i = 0; i < body_.arms.size(); ++i) draw_arm(sketch_, body_, i, load_, arms_);
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
@@ -628,10 +640,12 @@ private:
         add_line_of(applied, held);
         if (applied.is_component) return;
         // The forces at the pairs are those of all loads.
+        bool is_dimensioned = false;
         if (scale_.at_pairs && load_.empty())
             if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied))
-                draw_at_pair(applied, *pair, arrow);
-        if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
+                is_dimensioned = draw_at_pair(applied, *pair, arrow);
+        if (applied.joint != none && joints_remarked_.insert(applied.joint).second)
+            remark_guide(applied, arrow, is_dimensioned);
     }
 
     /// The arrow with its tail or tip at the point of application, or moved along its line if another arrow is there.
@@ -740,16 +754,6 @@ private:
         return std::count_if(body_.forces.begin(), body_.forces.end(),
                              [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
     }
-    LabelRequest label_of_line(const AppliedForce& sum, const std::string& held) const {
-        return {.text = typeset(sum.symbol, sketch_.context.language),
-                .size = sketch_.theme.equation,
-                .colour = sketch_.theme.colour_of(none).letter,
-                .is_of_vector = true,
-                .clearance = 1.5,
-                .statement = sum.force_statement,
-                .names = {name_of(sum.symbol)},
-                .holds = on_force(Form::with, held)};
-    }
     void add_line_of(const AppliedForce& applied, const std::string& held, std::optional<LabelRequest> name = {}) {
         ActionLine action = lines_.line_of(applied, meets_, held);
         if (name) action.names.push_back(std::move(*name));
@@ -777,7 +781,8 @@ private:
     }
 
     /// Force and couple at the point of the pair, thin, and their distance from the equivalent single force: d = M/F.
-    void draw_at_pair(const AppliedForce& applied, const JointForce& pair, const Bar& arrow) {
+    /// Whether the distance is drawn.
+    bool draw_at_pair(const AppliedForce& applied, const JointForce& pair, const Bar& arrow) {
         const Spot at = sketch_.spot(sketch_.mechanism.joint(pair.joint).point), foot = sketch_.spot(applied.at);
         const double aside = length(foot - at);
         AppliedForce couple = applied;
@@ -787,7 +792,7 @@ private:
         draw_couple(sketch_, clutter_, words, free_couple_arc(sketch_, clutter_, words, at, pair.couple->sign() > 0),
                     colour_, applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
-        if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
+        if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return false;
         const std::size_t first = sketch_.arrows.size();
         const Bar there{at, at + (arrow.to - arrow.from)};
         // Grey: with its couple it stands for the single force, and does not act beside it.
@@ -811,15 +816,19 @@ private:
         sketch_
             .add_label(std::move(text), sketch_.theme.secondary, 0.5 * (at + foot) + off, 1.0, applied.force_statement)
             .size = sketch_.theme.small;
+        return true;
     }
     static Spot unit_along_arrow(const Bar& arrow) {
         return (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from);
     }
 
-    void remark_guide(const AppliedForce& applied) {
-        const RichText words = beside_guide(sketch_.context, body_, applied);
-        if (!words.empty())
-            sketch_.add_label(words, sketch_.theme.secondary, sketch_.spot(applied.at), 3).size = sketch_.theme.small;
+    /// It speaks of the force, and stands beside its arrow.
+    void remark_guide(const AppliedForce& applied, const Bar& arrow, bool is_dimensioned) {
+        const RichText words = beside_guide(sketch_.context, body_, applied, is_dimensioned);
+        if (words.empty()) return;
+        LabelRequest& label = sketch_.add_label(words, sketch_.theme.secondary, middle(arrow), 1.5);
+        label.toward = arrow.to;
+        label.size = sketch_.theme.small;
     }
 
     Sketch& sketch_;

@@ -193,7 +193,11 @@ private:
 
     /// Moves a side of a flat polygon aside, with thin lines from its true ends.
     void set_in_column(PolygonParts& parts, std::vector<std::vector<Interval>>& columns, PolygonVector& side) const {
-        const Spot aside = displaced(columns, side.tail, side.tip);
+        // A resultant is no side: between it and the sides of an inner column their names have room.
+        constexpr double room_of_name = 9;
+        const Spot clear = side.is_resultant && columns.size() > 1 ? room_of_name * turned(along_) : Spot{0, 0};
+        Spot aside = displaced(columns, side.tail, side.tip);
+        if (length(aside) > 0) aside = aside + clear;
         if (!(length(aside) > 0)) return;
         for (Spot* const end : {&side.tail, &side.tip}) {
             PolygonLine thin;

@@ -295,7 +295,8 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
     return nullptr;
 }
 
-RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
+RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied,
+                      bool is_dimensioned) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     if (applied.joint == none || body.body == none || !applied.is_reaction() || applied.force.is_zero()) return {};
@@ -316,6 +317,7 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
     }
     if (most - least > small && (at < least - small || at > most + small))
         return one_piece(word(lang::sheet::passes_outside, context.language));
+    if (is_dimensioned) return {};
     const Unit& unit = mechanism.units.length;
     RichText text = one_piece(number(std::abs(at) / unit.si.to_double(), 4, context.language) + " " + unit.symbol +
                               " " + word(lang::sheet::passes_beside, context.language) + " ");

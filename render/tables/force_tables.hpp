@@ -34,7 +34,9 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
 
 /// Where a slider's reaction passes its guide: the distance from the joint's point, or a note that it lies outside the
 /// slider's points on the guide, so that the slider tips. Empty if it passes through the joint's point.
-RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied);
+/// `is_dimensioned`: the figure shows the distance, as d.
+RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied,
+                      bool is_dimensioned);
 
 /// Rows for the results table: loads, reactions once per joint, input forces and couples. Their lengths are measured on
 /// `figures`. `at_pairs`: also the couples of sleeves and clamps beside their forces. `beside`: the bodies whose

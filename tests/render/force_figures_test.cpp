@@ -219,15 +219,17 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                 }
         }
         EXPECT_FALSE(has_force_polygons(solution) && longest.empty() && of_closed.empty());
-        // A polygon that is finer would be less than 40 mm long at the scale of the others.
+        EXPECT_LE(of_closed.size(), 1u);
+        // A polygon that is finer would be less than 40 mm long at the common scale.
+        double common = longest.empty() ? 0 : longest.rbegin()->first;
+        if (!of_closed.empty()) common = std::max(common, *of_closed.begin());
         for (const auto& [scale, value] : longest) {
-            if (scale < longest.rbegin()->first) {
-                EXPECT_LT(value / longest.rbegin()->first, 40) << scale;
+            if (scale < common) {
+                EXPECT_LT(value / common, 40) << scale;
             }
         }
-        EXPECT_LE(of_closed.size(), 1u);
         if (!of_closed.empty() && !scales.empty()) {
-            EXPECT_EQ(*of_closed.begin(), *scales.rbegin()) << "that of the largest";
+            EXPECT_EQ(*of_closed.begin(), std::max(*scales.rbegin(), common)) << "that of the largest";
         }
         ASSERT_FALSE(solution.free_bodies.empty());
         for (const FreeBody& body : solution.free_bodies)
@@ -649,6 +651,55 @@ TEST(ForcePages, HaveResultantsByOneRule) {
     }
     EXPECT_GT(seen["forces"], 5);
     EXPECT_GT(seen["body"], 2) << "forces moved aside, and what is left over on a body without supports";
+}
+
+/// Beside two columns of parallel sides: a name of the inner one has its place before the resultant, not beyond it.
+TEST(ForcePages, HaveRoomForNamesBetweenParallelSidesAndTheirResultant) {
+    constexpr double highest_name = 6;  // mm; two lines of a subscript and a superscript
+    int seen = 0;
+    for (const std::string& name : example_names()) {
+        const Solution& solution = example(name);
+        if (!has_force_polygons(solution)) continue;
+        const Theme theme;
+        const Figure figure = force_polygons_figure({solution, theme, fonts(), Language::en}, 180, 110);
+        const std::set<std::string> resultants = resultants_of(solution);
+        for (const Drawn& sum : vectors_of(figure.marks)) {
+            if (!resultants.contains(sum.name)) continue;
+            const Spot off = sum.axis.tip - sum.axis.tail, along = (1 / length(off)) * off;
+            std::set<long> columns;  // tenths of a millimetre from the resultant
+            for (const Drawn& side : vectors_of(figure.marks)) {
+                const Spot tail = side.axis.tail - sum.axis.tail, tip = side.axis.tip - sum.axis.tail;
+                const bool beside = std::max(dot(along, tail), dot(along, tip)) > 0.1 &&
+                                    std::min(dot(along, tail), dot(along, tip)) < length(off) - 0.1;
+                if (side.name != sum.name && beside && std::abs(cross(along, tip - tail)) < 0.01)
+                    columns.insert(std::lround(10 * std::abs(cross(along, tail))));
+            }
+            while (!columns.empty() && *columns.rbegin() > 200) columns.erase(*columns.rbegin());  // another polygon's
+            if (columns.size() < 2) continue;
+            ++seen;
+            EXPECT_GT(*columns.begin(), 10 * highest_name) << name << ' ' << sum.name;
+        }
+    }
+    EXPECT_GT(seen, 0);
+}
+
+/// The distance of a slider's force from its joint is a dimension or a remark.
+TEST(ForcePages, SayOnceHowFarASlidersForcePassesItsJoint) {
+    const Solution& solution = example("exam_2001");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    int dimensions = 0, remarks = 0;
+    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) {
+        const Figure full = free_body_figure(context, i, 160, 120),
+                     brief = free_body_figure(context, i, 160, 120, false);
+        if (says(full, "d = ")) {
+            ++dimensions;
+            EXPECT_FALSE(says(full, " m from ")) << words_of(full);
+        }
+        remarks += says(brief, " m from ") ? 1 : 0;
+    }
+    EXPECT_GT(dimensions, 0);
+    EXPECT_GT(remarks, 0);
 }
 
 /// What two heads mean is said on every sheet that has them.
