@@ -352,10 +352,13 @@ double LabelPlaces::near_other_points(const Candidate& candidate) const {
 double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     if (request_.along) return 0;
     double price = 0;
+    // A leader says whose name it is, however many other vectors are nearer.
+    const bool has_leader = request_.is_of_vector && candidate.leader;
+    constexpr double most_with_leader = 10;
     const Spot centre = candidate.box.centre;
     const double near = distance_to_line(request_, centre) + 0.8;
-    const double own = distance_to_line(request_, candidate.box);
-    const double seen = request_.is_of_vector ? std::max(near, own + half_.x + half_.y) : near;
+    const double own = has_leader ? 0 : distance_to_line(request_, candidate.box);
+    const double seen = request_.is_of_vector && !has_leader ? std::max(near, own + half_.x + half_.y) : near;
     constexpr double same = 0.1;  // mm; vectors that lie on each other are told apart by their heads
     bool is_nearest = true;
     for (std::size_t j = 0; j < setting_.requests.size(); ++j) {
@@ -364,12 +367,14 @@ double LabelPlaces::near_other_lines(const Candidate& candidate) const {
         if (is_beyond(other, centre, seen)) continue;
         const double away = distance_to_line(other, centre);
         if (away < near) price += 2.5 * std::min(2.0, near - away);
+        if (has_leader && price >= most_with_leader) return most_with_leader;
+        if (has_leader) continue;
         // Where two vectors meet, the name is as near to the one as to the other.
         const double apart = lie_on_one_line(request_, other) ? -same : same;
         is_nearest = is_nearest && distance_to_line(other, candidate.box) > own + apart;
     }
-    // It would be read as the other's name; with a leader it is not.
-    if (request_.is_of_vector && !is_nearest && !candidate.leader) price += named_by_another;
+    // It would be read as the other's name.
+    if (request_.is_of_vector && !is_nearest) price += named_by_another;
     return price;
 }
 
