@@ -221,7 +221,8 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
 }
 
 /// What names take about the strokes at other scales, at least: half of what they take in the drawing in which they
-/// take least, so that no scale is passed over that has room. Nothing, as long as the figure is not drawn at any scale.
+/// take least, so that no scale is passed over that has room. As long as the figure is not drawn at any scale, what they
+/// take in most figures.
 Spot MeasuredFigures::about_strokes(std::size_t figure) const {
     const Wanted& wanted = wanted_.list[figure];
     std::optional<Spot> least;
@@ -233,7 +234,8 @@ Spot MeasuredFigures::about_strokes(std::size_t figure) const {
         least = least ? Spot{std::min(least->x, names.x), std::min(least->y, names.y)} : names;
     }
     constexpr double certain = 0.5;
-    return least ? Spot{certain * least->x, certain * least->y} : Spot{};
+    constexpr Spot of_most{14, 10};  // mm
+    return least ? Spot{certain * least->x, certain * least->y} : of_most;
 }
 
 /// The widest column or columns of less than `width` and at least `least` mm.
