@@ -571,11 +571,10 @@ void measure_polygon(const Shown& shown, FigureId id, SizeWanted& size) {
     size.extent_x = scene.width();
     size.extent_y = scene.height();
     size.subject = scene.longest;
-    // So many names want room: in less, their leaders cross one another. Fewer names would cost more pages than they
-    // are worth: from 24 on two of 153.
-    constexpr double a_crowd = 32, of_each = 2, most_of_them = 64;  // names; mm; mm
-    const auto names = static_cast<double>(scene.vectors.size() + scene.images.size() + scene.lines.size());
-    if (names > a_crowd) size.least = std::max(size.least, std::min(of_each * names, most_of_them));
+    // In a knot the leaders of names cross one another.
+    constexpr double most_of_them = 64;  // mm; more would cost a page
+    if (const double apart = apart_of_knot(scene.vectors.size()); apart > 0)
+        size.least = std::max(size.least, std::min(apart, most_of_them));
     // A reading of half a tenth of a millimetre is within a fifth of a percent of the longest.
     constexpr double least_of_longest = 26;  // mm
     if (scene.longest > 0) size.least = std::max(size.least, least_of_longest * scene.size() / scene.longest);

@@ -132,14 +132,12 @@ Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
     return normal.y < -noise || (normal.y < noise && normal.x > 0) ? normal : -1.0 * normal;
 }
 
-/// Whether so many names stand about the vectors that in the usual size few would find places beside them.
 bool is_knot(const PolygonParts& parts) {
-    constexpr double many = 16, in = 70;  // names, mm
-    const auto names = static_cast<double>(parts.vectors.size());
-    if (names <= many) return false;
+    const double apart = apart_of_knot(parts.vectors.size());
+    if (!(apart > 0)) return false;
     Box box{parts.vectors.front().tail, parts.vectors.front().tail};
     for (const PolygonVector& vector : parts.vectors) box.include(vector.tail), box.include(vector.tip);
-    return names / many > std::max(box.width(), box.height()) / in;
+    return std::max(box.width(), box.height()) < apart;
 }
 
 /// Between two of its places.
@@ -768,6 +766,12 @@ void set_aside(PolygonParts& parts, PolygonVector& vector, const PolygonVector& 
 }
 
 }  // namespace
+
+double apart_of_knot(std::size_t vectors) {
+    constexpr double many = 16, in = 70;  // names, mm
+    const auto names = static_cast<double>(vectors);
+    return names > many ? in * names / many : 0;
+}
 
 void set_side_by_side(PolygonParts& parts) {
     // What acts from outside keeps its place before what cancels.

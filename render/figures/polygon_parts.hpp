@@ -74,6 +74,10 @@ struct PolygonParts {
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
 };
 
+/// The extent below which so many vectors are a knot, mm: few of their names would find places beside them. 0: so few
+/// never are.
+double apart_of_knot(std::size_t vectors);
+
 /// Moves vectors that would cover each other apart, as in textbooks: the first on a line keeps its place, dashed sides
 /// last, each other one takes the first free lane beside it; of two in a polygon of motion at a very small angle the
 /// shorter one is moved. Thin lines connect their ends with their true positions.
