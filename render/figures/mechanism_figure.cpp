@@ -219,15 +219,16 @@ struct MechanismFigure {
         constexpr std::size_t most = 6;       // with more, any figure is crowded
         constexpr double room_of_each = 900;  // mm²; in less space no label found a position
         const std::size_t count = count_of(all);
+        Spot names = room;
         if (count <= most && room.x * room.y >= room_of_each * static_cast<double>(count))
-            if (Figure figure = with(all, plain); is_as_readable(figure, plain, count)) return figure;
+            if (Figure figure = with(all, plain, names); is_as_readable(figure, plain, count)) return figure;
         all.found = {omega};
         all.only_readable = true;
         all.most_without_room = 1;
         // Without the names that stand badly the others mostly find better places.
         constexpr int attempts = 6;
         for (int attempt = 0; attempt < attempts; ++attempt) {
-            const Figure figure = with(all, plain);
+            const Figure figure = with(all, plain, names);
             if (is_as_readable(figure, plain, count_of(all))) return figure;
             if (!leave_out_the_worst(all, figure, plain)) break;
         }
@@ -244,14 +245,17 @@ private:
         for (const DrawnLeader& leader : figure.leader_lines) most = std::max(most, length(leader.to - leader.from));
         return most;
     }
-    /// Drawn at the scale of the plain figure, whose dimensions it keeps. Empty if arrows find no place.
-    Figure with(const MotionWish& arrows, const Figure& plain) const {
+    /// Drawn at the scale of the plain figure, whose dimensions it keeps. Empty if arrows find no place. `names`: the
+    /// room of names; the scale bar mostly finds a place beside the mechanism, and if it does not, names leave it the
+    /// room below, from then on.
+    Figure with(const MotionWish& arrows, const Figure& plain, Spot& names) const {
         if (count_of(arrows) == accelerations_given()) return Figure::empty_at(any_scale);
         const Trial trial{.scale = plain.scale, .strict = true};
-        Figure figure = drawn(trial, arrows, room, &plain);
-        // The scale bar mostly finds a place beside the mechanism; if it does not, names leave it the room below.
-        if (!has_room(figure)) figure = drawn(trial, arrows, room_for_labels(room), &plain);
-        return figure;
+        Figure figure = drawn(trial, arrows, names, &plain);
+        const Spot above_the_bar = room_for_labels(room);
+        if (has_room(figure) || names.y == above_the_bar.y) return figure;
+        names = above_the_bar;
+        return drawn(trial, arrows, names, &plain);
     }
     /// A name with a leader is hard to find, and may stand beside another arc: how many more there may be.
     static std::size_t leaders_for(std::size_t arcs) { return std::max<std::size_t>(1, (arcs + 3) / 4); }

@@ -138,15 +138,25 @@ bool is_clear(const auto& arc, const InkBox& name) {
                         [&](Spot spot) { return lettering::distance_to_box(spot, name) < 0.8 * clear_of_arc; });
 }
 
+using Along = decltype(spots_along({}));
+constexpr std::size_t middle_of_arc = pieces_of_arc / 2;
+static_assert(2 * middle_of_arc == pieces_of_arc);
+
 /// A free place of the name about the middle of its arc: outside, then obliquely, then inside.
-std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox name, double off) {
-    constexpr std::array turns{0.0, 0.5, -0.5, 1.0, -1.0, pi_number, pi_number - 0.5, pi_number + 0.5};
-    const double middle = arc.from + 0.5 * (arc.to - arc.from);
-    const auto along = spots_along(arc);
-    for (const double turn : turns) {
-        const Spot u = polar_spot(middle + turn);
+std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, const Along& along, InkBox name, double off) {
+    static const std::array turns{polar_spot(0),
+                                  polar_spot(0.5),
+                                  polar_spot(-0.5),
+                                  polar_spot(1),
+                                  polar_spot(-1),
+                                  polar_spot(pi_number),
+                                  polar_spot(pi_number - 0.5),
+                                  polar_spot(pi_number + 0.5)};
+    const Spot middle = along[middle_of_arc], outward = (1 / arc.radius) * (middle - arc.centre);
+    for (const Spot turn : turns) {
+        const Spot u{outward.x * turn.x - outward.y * turn.y, outward.x * turn.y + outward.y * turn.x};
         const double to_side = 1 / std::max(std::abs(u.x), std::abs(u.y));
-        name.centre = arc.at(middle) + off * u + to_side * Spot{u.x * name.half.x, u.y * name.half.y};
+        name.centre = middle + off * u + to_side * Spot{u.x * name.half.x, u.y * name.half.y};
         if (is_clear(along, name) && paper.has_room_for(name)) return name;
     }
     return std::nullopt;
@@ -155,7 +165,8 @@ std::optional<InkBox> room_for(const FreePaper& paper, const Arc& arc, InkBox na
 /// Whether an arc would be read as the turning of another body: that is as near or crossed, or the arc stands about a
 /// pin of others. One about the body's own fixed pin is read by that, too, unless another body stands between or is
 /// twice as near.
-bool seems_of_another(const Layout& layout, const FreePaper& paper, BodyIndex body, const Arc& arc) {
+bool seems_of_another(const Layout& layout, const FreePaper& paper, BodyIndex body, const Arc& arc,
+                      const Along& along) {
     constexpr double about = 0.4;  // of its radius: a pin nearer to its centre seems to be that
     bool about_any = false, about_own = false, about_fixed = false;
     for (const Joint& joint : layout.mechanism.joints) {
@@ -164,21 +175,20 @@ bool seems_of_another(const Layout& layout, const FreePaper& paper, BodyIndex bo
         about_own = about_own || joint.connects(body);
         about_fixed = about_fixed || (joint.connects(body) && is_fixed_pin(joint));
     }
-    const std::array spots{arc.at(arc.from), arc.at(0.5 * (arc.from + arc.to)), arc.at(arc.to)};
+    const std::array spots{along.front(), along[middle_of_arc], along.back()};
     return (about_any && !about_own) || paper.is_cut_off(spots.front(), spots.back(), {body}) ||
            (about_fixed && paper.is_cut_off(arc.centre, spots[1], {body})) ||
            paper.seems_of_another(spots, {body}, about_fixed ? 2 : 1);
 }
 
 /// Of a name that stands away from its arc, as near as it can; a leader that crosses another body leads astray.
-double price_of_leader(const FreePaper& paper, BodyIndex body, const Arc& arc, const InkBox& name, double enough) {
+double price_of_leader(const FreePaper& paper, BodyIndex body, const Arc& arc, const Along& along, const InkBox& name,
+                       double enough) {
     constexpr double nearest = 6, step = 5, farthest_off = 21, per_length = 0.3, over_a_body = 6;
     double price = without_name;
     for (double off = nearest; off < farthest_off && price < enough; off += step, price += per_length * step)
-        if (const auto room = room_for(paper, arc, name, off)) {
-            const Spot from = arc.at(0.5 * (arc.from + arc.to));
-            return price + (paper.is_cut_off(from, room->centre, {body}) ? over_a_body : 0);
-        }
+        if (const auto room = room_for(paper, arc, along, name, off))
+            return price + (paper.is_cut_off(along[middle_of_arc], room->centre, {body}) ? over_a_body : 0);
     return price + over_a_body / 3;  // farther off it may have to cross one
 }
 
@@ -194,15 +204,16 @@ PlacedArc free_arc(const Sketch& sketch, const FreePaper& paper, const Turning& 
     Cheapest<PlacedArc> best;
     for (const ArcPlace& place : places_of(sketch, turning)) {
         if (place.price >= best.price) break;
-        double price = place.price + paper.price_of(place.arc, best.price - place.price);
+        const Along along = spots_along(place.arc);
+        double price = place.price + paper.price_of(along, best.price - place.price);
         if (price >= best.price) continue;
         if (place.to_stroke && paper.price_of(*place.to_stroke, past_another) > 0) price += past_another;
         if (price >= best.price) continue;
-        if (seems_of_another(sketch, paper, turning.body, place.arc)) price += read_at_another;
+        if (seems_of_another(sketch, paper, turning.body, place.arc, along)) price += read_at_another;
         if (price >= best.price) continue;
-        const auto room = room_for(paper, place.arc, name, clear_of_arc);
+        const auto room = room_for(paper, place.arc, along, name, clear_of_arc);
         const double of_name = room ? std::min(per_growth * paper.beyond_all(*room), without_name)
-                                    : price_of_leader(paper, turning.body, place.arc, name, best.price - price);
+                                    : price_of_leader(paper, turning.body, place.arc, along, name, best.price - price);
         best.offer(price + of_name, {place.arc, room, price});
     }
     return best.choice;

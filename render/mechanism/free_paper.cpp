@@ -81,7 +81,7 @@ void FreePaper::take_what_is_new(const Sketch& sketch) {
     if (reserved_) drawn_.include(*reserved_);
 }
 
-double FreePaper::price_of(const auto& along, double enough) const {
+double FreePaper::price_of_pieces(const auto& along, double enough) const {
     // A third of an arrow on solid ink is as bad as a leader: see label_prices.hpp. Along a thin line it is not much.
     constexpr double on_solid_ink = 16, on_thin_lines = 1.5;
     const double share = 1.0 / static_cast<double>(along.size() - 1);
@@ -99,9 +99,11 @@ double FreePaper::price_of(const auto& along, double enough) const {
     return price;
 }
 
-double FreePaper::price_of(const Arc& arc, double enough) const { return price_of(spots_along(arc), enough); }
+double FreePaper::price_of(const std::array<Spot, pieces_of_arc + 1>& along, double enough) const {
+    return price_of_pieces(along, enough);
+}
 double FreePaper::price_of(const Bar& bar, double enough) const {
-    return price_of(std::array{bar.from, middle(bar), bar.to}, enough);
+    return price_of_pieces(std::array{bar.from, middle(bar), bar.to}, enough);
 }
 
 bool FreePaper::has_room_for(const InkBox& name) const {

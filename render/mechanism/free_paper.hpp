@@ -27,7 +27,8 @@ public:
 
     /// Price of an arrow there: of the pieces of it that lie near ink. Thin lines may be crossed. From `enough` on the
     /// result is only a lower bound.
-    double price_of(const Arc& arc, double enough) const;
+    double price_of(const Arc& arc, double enough) const { return price_of(spots_along(arc), enough); }
+    double price_of(const std::array<Spot, pieces_of_arc + 1>& along, double enough) const;
     double price_of(const Bar& bar, double enough) const;
     /// Whether a name there covers nothing and stays in the room.
     bool has_room_for(const InkBox& name) const;
@@ -49,7 +50,7 @@ public:
     void take(const InkBox& name);
 
 private:
-    double price_of(const auto& along, double enough) const;
+    double price_of_pieces(const auto& along, double enough) const;
 
     InkMap solid_, thin_;
     std::vector<BodyStroke> strokes_;
