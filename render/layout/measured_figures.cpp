@@ -31,8 +31,8 @@ double arrow_at(const Wanted& wanted, double scale) {
 double most_of(const Wanted& wanted) { return wanted.arrow > 0 ? 110 : std::numeric_limits<double>::infinity(); }
 
 /// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures, and a
-/// greater one for those that can hardly be read. Above 80 mm lengths can be read to a hundredth or better, and a larger
-/// figure gains little.
+/// greater one for those that can hardly be read. Above 80 mm lengths can be read to a hundredth or better, and a
+/// larger figure gains little.
 double use_of_figure(double size) {
     constexpr double long_enough = 80, of_more = 0.3, hardly_read = 20;
     const double read = std::min(size, long_enough), small = hardly_read / read;
@@ -221,8 +221,8 @@ void MeasuredFigures::measure(std::vector<FigureSize>& sizes, std::size_t figure
 }
 
 /// What names take about the strokes at other scales, at least: half of what they take in the drawing in which they
-/// take least, so that no scale is passed over that has room. As long as the figure is not drawn at any scale, what they
-/// take in most figures.
+/// take least, so that no scale is passed over that has room. As long as the figure is not drawn at any scale, what
+/// they take in most figures.
 Spot MeasuredFigures::about_strokes(std::size_t figure) const {
     const Wanted& wanted = wanted_.list[figure];
     std::optional<Spot> least;
