@@ -221,7 +221,9 @@ struct MechanismFigure {
         const std::size_t count = count_of(all);
         Spot names = room;
         if (count <= most && room.x * room.y >= room_of_each * static_cast<double>(count))
-            if (Figure figure = with(all, plain, names); is_as_readable(figure, plain, count)) return figure;
+            if (Figure figure = with(all, plain, names);
+                figure.leaders <= plain.leaders && is_as_readable(figure, plain, count))
+                return figure;  // with a leader, a name would be read at one of the two arcs of its body
         all.found = {omega};
         all.only_readable = true;
         all.most_without_room = 1;
@@ -571,7 +573,7 @@ void measure_mechanism(const Shown& shown, FigureId id, SizeWanted& size) {
     const Box extent = extent_of_mechanism(solution, with_centres);
     size.take(extent);
     // Distant centres may take most of the figure; the links need a minimum size, and theirs is the figure's score.
-    constexpr double least_of_links = 28;
+    constexpr double least_of_links = 30;
     const Box links = with_centres ? extent_of_mechanism(solution, false) : extent;
     const double of_links = std::max(links.width(), links.height());
     size.subject = of_links;

@@ -23,8 +23,8 @@ namespace {
 constexpr double past_the_meet = 12;    // of a construction line beyond the intersection that it found
 constexpr double past_with_number = 5;  // … of one that has its number alone
 constexpr double short_of_pole = 3;     // … and before its starting point
-// mm; beside a shorter longest vector the directions in words would take as much room as the vectors. The steps say
-// which line has which number.
+// mm; beside a shorter longest vector the directions in words would take as much room as the vectors. Where a step says
+// which line has which number, that number is enough.
 constexpr double hardly_measured = 50;
 constexpr double seen_apart = 1.5;  // distance of its end from the other line of the intersection
 constexpr double most_overshoot = 25;
@@ -248,6 +248,16 @@ private:
         });
     }
 
+    /// Whether the statement names the line, and so its number.
+    bool is_said(StatementIndex statement, const LineReason& reason) const {
+        const Protocol& protocol = context_.solution.protocol;
+        if (statement == none) return false;
+        const std::vector<Argument>& said = protocol.statements[at_index(statement)].message.arguments;
+        return std::any_of(said.begin(), said.end(), [&](const Argument& each) {
+            const auto* line = std::get_if<LineReason>(&each);
+            return line != nullptr && *line == reason;
+        });
+    }
     bool is_in_short(const Figure& figure) const {
         return has_steps_ && scene_.longest < hardly_measured * figure.scale;
     }
@@ -268,7 +278,8 @@ private:
             if (reach < 0) along = -1.0 * along;
             PolygonLine drawn;
             const std::string number = numbers_.of(each.statement, each.reason);
-            const bool has_number_alone = is_in_short(figure) && !number.empty();
+            const bool has_number_alone =
+                is_in_short(figure) && !number.empty() && is_said(each.statement, each.reason);
             const double past = has_number_alone ? past_with_number : past_the_meet;
             drawn.from = support - short_of_pole * along;
             drawn.to = meet + past * along;

@@ -138,8 +138,8 @@ struct Taken {
 }  // namespace
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose, double room) const {
-    constexpr double most_air = 1.5;  // mm, below a long sentence
-    constexpr double most_between_passages = 14;
+    constexpr double most_air = 1.5;             // mm, below a long sentence
+    constexpr double most_between_passages = 11;  // more would be a hole
     const double least = height(columns);
     std::vector<Taken> taken(columns.size());
     const auto air_under = [&](const SharedBlock& block) { return std::min(loose * height_of(block), most_air); };
