@@ -33,7 +33,7 @@ struct SheetFormat {
     int columns = 3;
     double measure = 80;         ///< width of a column
     double text_size = 1;        ///< size of text relative to the theme: smaller on small paper
-    double price_of_a_page = 2;  ///< to the plan: as much as a figure gains from 30 mm to 70
+    double price_of_a_page = 5;  ///< to the plan: as much as a figure gains from 16 mm to 70
     /// The width of `k` of `n` columns.
     double span(int k, int n) const { return (content.width() + gap) * k / n - gap; }
 };

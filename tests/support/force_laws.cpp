@@ -400,7 +400,9 @@ private:
             told_forces_are_all(part.bodies, part.together);
     }
     void told_forces_are_all(const std::vector<FreeBody>& bodies, const std::vector<TakenTogether>& groups) const {
-        const auto sum_of = [&](const Symbols& named, const auto& is_on) {
+        // A force that its couple moves aside is the same force.
+        const auto sum_of = [&](Symbols named, const auto& is_on) {
+            for (Symbol& each : named) each = where_it_acts(each);
             Vector sum{0, 0};
             for (const FreeBody& body : bodies)
                 if (is_on(body))
