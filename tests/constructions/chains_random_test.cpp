@@ -184,9 +184,9 @@ void hold_quarter(int quarter) {
     EXPECT_LE(tally.undetermined, counted / 5 + 1) << "too few draws that the drivers determine";
     EXPECT_LE(tally.motion_only, counted / 20 + 1);
     // Near a dead point forces are many orders of size larger than the loads, and trials within trials lose as many
-    // digits.
+    // digits: mostly some of them, of one in a hundred draws all that are looked at.
     EXPECT_LE(tally.roughly, tally.in_doubles / 25 + 1);
-    EXPECT_LE(tally.not_in_doubles, tally.in_doubles / 150 + 1);
+    EXPECT_LE(tally.not_in_doubles, tally.in_doubles / 100 + 1);
     EXPECT_LE(tally.flipped, tally.fresh / 4 + 1) << "few verdicts hang on speeds and loads";
     std::cout << tally.held << " held, " << tally.motion_only << " in their motion only, " << tally.undetermined
               << " undetermined; with other givens " << tally.fresh << " as fresh solutions, " << tally.flipped
