@@ -303,6 +303,8 @@ std::vector<MeasuredFigures::Measure> MeasuredFigures::as_kept(const Wanted& wan
     else
         all.clear();
     if (all.empty()) all.push_back({scale->second, page(), {.finest = scale->second}});
+    // As of all scales, the last has to show something.
+    all.back().wish.exactly = false;
     return all;
 }
 
