@@ -83,6 +83,29 @@ TEST(LongNames, AreBrokenOrCutInACell) {
     EXPECT_EQ(plain(line_in_cell(one_piece("A"), 9, fonts(), room).text), "A");
 }
 
+// In brief a polygon keeps the scale of the whole solution where it can: with a long name it may have to come coarser.
+TEST(LongNames, HaveASheetInBriefToo) {
+    const std::string short_name = "\"B\"";
+    for (const std::size_t letters : {40U, 80U, 120U, 150U}) {
+        std::string text = tests::contents(tests::example_file("four_bar"));
+        const std::string long_name = "\"" + std::string(letters, 'x') + "\"";
+        for (std::size_t at = 0; (at = text.find(short_name, at)) != std::string::npos; at += long_name.size())
+            text.replace(at, short_name.size(), long_name);
+        Json file = Json::parse(text);
+        file.erase("ask");
+        file.erase("exercise");
+        const Solution solution = tests::solved(file.dump());
+        for (const Paper paper : {Paper::a4, Paper::letter})
+            for (const Orientation orientation : {Orientation::landscape, Orientation::portrait}) {
+                SheetOptions options;
+                options.detail = SolutionDetail::brief;
+                options.paper = paper;
+                options.orientation = orientation;
+                EXPECT_FALSE(lay_out(solution, options, fonts()).empty()) << letters;
+            }
+    }
+}
+
 // Sentences, lists and tables; names in figures find places of their own.
 TEST(LongNames, OfTextLeaveNoPageAndCoverNothing) {
     constexpr std::size_t letters = 30;
