@@ -138,7 +138,7 @@ struct Taken {
 }  // namespace
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose, double room) const {
-    constexpr double most_air = 1.5;             // mm, below a long sentence
+    constexpr double most_air = 1.5;              // mm, below a long sentence
     constexpr double most_between_passages = 11;  // more would be a hole
     const double least = height(columns);
     std::vector<Taken> taken(columns.size());
