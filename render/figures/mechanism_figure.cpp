@@ -230,7 +230,7 @@ struct MechanismFigure {
         // Without the names that stand badly the others mostly find better places.
         constexpr int attempts = 6;
         for (int attempt = 0; attempt < attempts; ++attempt) {
-            const Figure figure = with(all, plain, names);
+            Figure figure = with(all, plain, names);
             if (is_as_readable(figure, plain, count_of(all))) return figure;
             if (!leave_out_the_worst(all, figure, plain)) break;
         }
