@@ -953,11 +953,6 @@ bool continues(const Bar& arrow, const Bar& other) {
     const double from = dot(other.from - arrow.from, along), to = dot(other.to - arrow.from, along);
     return std::max(from, to) > -gap && std::min(from, to) < length(arrow.to - arrow.from) + gap;
 }
-double distance_from(const Bar& bar, Spot spot) {
-    const Spot off = bar.to - bar.from;
-    const double share = std::clamp(dot(spot - bar.from, off) / dot(off, off), 0.0, 1.0);
-    return length(spot - (bar.from + share * off));
-}
 
 /// A resultant acts at no point, so its arrow may stand anywhere on its line: at its place or at a point of
 /// concurrency, where it crosses least, hides no point, and is not taken for a part of another arrow.
@@ -993,7 +988,7 @@ Bar arrow_of_resultant(const Sketch& sketch, const Clutter& clutter, const Appli
                          {Bar{tried.from, tried.from + of_tail * along}, Bar{tried.to - of_heads * along, tried.to}})
                         price += clutter.along(end.from, end.to) > 0 ? on_body : 0;
                     for (const Bar& other : standing) price += continues(tried, other) ? continued : 0;
-                    for (const Spot point : points) price += distance_from(tried, point) < about_point ? over_point : 0;
+                    for (const Spot point : points) price += distance(point, tried) < about_point ? over_point : 0;
                     best.offer(price, tried);
                 }
             }

@@ -53,6 +53,20 @@ std::vector<VectorGroup> vectors_of(const Figure& figure) {
     return result;
 }
 
+/// Calls look(solution, index of the polygon, its figure) for those of all examples.
+template <class Look>
+void for_each_polygon_of_motion(Look look) {
+    const Theme theme;
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution& solution = example(name);
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+            if (solution.protocol.polygons[p].plane != Plane::force)
+                look(solution, p,
+                     polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130));
+    }
+}
+
 void expect_measures(const Figure& figure) {
     std::set<std::string> names, ids;
     for (const VectorGroup& each : vectors_of(figure)) {
@@ -198,35 +212,27 @@ TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
 
 TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
     std::size_t named = 0;
-    for (const std::string& name : example_names()) {
-        SCOPED_TRACE(name);
-        const Solution& solution = example(name);
-        const Theme theme;
-        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
-            if (solution.protocol.polygons[p].plane == Plane::force) continue;
-            const Figure figure =
-                polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
-            const auto said = said_by_labels(figure);
-            const auto sketches = polygon_scene(solution, static_cast<int>(p)).coriolis;
-            std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>>
-                places;  // a velocity may be drawn in two
-            for (const int v : solution.protocol.polygons[p].vectors) {
-                const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(v)];
-                places[plain(typeset(vector.symbol, Language::en))].emplace(vector.tail, vector.tip);
-            }
-            for (const auto& [vector, where] : places)
-                if (const auto found = said.find(vector); found != said.end()) {
-                    // Once more in the sketch that says why the Coriolis term points where it does.
-                    const bool sketched = std::any_of(
-                        sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
-                            return plain(typeset(sketch.coriolis, Language::en)) == vector;
-                        });
-                    EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
-                    EXPECT_LE(found->second, static_cast<int>(where.size()) + (sketched ? 1 : 0)) << vector;
-                    ++named;
-                }
+    for_each_polygon_of_motion([&](const Solution& solution, std::size_t p, const Figure& figure) {
+        const auto said = said_by_labels(figure);
+        const auto sketches = polygon_scene(solution, static_cast<int>(p)).coriolis;
+        std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>>
+            places;  // a velocity may be drawn in two
+        for (const int v : solution.protocol.polygons[p].vectors) {
+            const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(v)];
+            places[plain(typeset(vector.symbol, Language::en))].emplace(vector.tail, vector.tip);
         }
-    }
+        for (const auto& [vector, where] : places)
+            if (const auto found = said.find(vector); found != said.end()) {
+                // Once more in the sketch that says why the Coriolis term points where it does.
+                const bool sketched =
+                    std::any_of(sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
+                        return plain(typeset(sketch.coriolis, Language::en)) == vector;
+                    });
+                EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
+                EXPECT_LE(found->second, static_cast<int>(where.size()) + (sketched ? 1 : 0)) << vector;
+                ++named;
+            }
+    });
     EXPECT_GT(named, example_names().size());
 }
 
@@ -644,33 +650,25 @@ TEST(PolygonSides, ThatCancelStandBesideWhatTheyWouldCover) {
 // It would be read as a part of what begins there.
 TEST(PolygonSides, SetAsideNoneBeginsWhereAnotherBegins) {
     int aside = 0;
-    for (const std::string& name : example_names()) {
-        SCOPED_TRACE(name);
-        const Solution& solution = example(name);
-        const Theme theme;
-        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
-            if (solution.protocol.polygons[p].plane == Plane::force) continue;
-            const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
-            const Figure figure =
-                polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
-            struct Begun {
-                Spot truly, drawn;
-            };
-            std::vector<Begun> all;
-            for (const SceneVector& vector : scene.vectors)
-                for (const DrawnAxis& axis : figure.axes)
-                    if (axis.detail.empty() && axis.name == vector.name)
-                        all.push_back({{vector.tail.x / figure.scale, -vector.tail.y / figure.scale}, axis.tail});
-            for (const Begun& one : all) {
-                if (length(one.drawn - one.truly) < 0.5) continue;
-                ++aside;
-                for (const Begun& other : all) {
-                    if (length(one.truly - other.truly) < 0.1) continue;
-                    EXPECT_GT(length(one.drawn - other.drawn), 1);
-                }
+    for_each_polygon_of_motion([&](const Solution& solution, std::size_t p, const Figure& figure) {
+        const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+        struct Begun {
+            Spot truly, drawn;
+        };
+        std::vector<Begun> all;
+        for (const SceneVector& vector : scene.vectors)
+            for (const DrawnAxis& axis : figure.axes)
+                if (axis.detail.empty() && axis.name == vector.name)
+                    all.push_back({{vector.tail.x / figure.scale, -vector.tail.y / figure.scale}, axis.tail});
+        for (const Begun& one : all) {
+            if (length(one.drawn - one.truly) < 0.5) continue;
+            ++aside;
+            for (const Begun& other : all) {
+                if (length(one.truly - other.truly) < 0.1) continue;
+                EXPECT_GT(length(one.drawn - other.drawn), 1);
             }
         }
-    }
+    });
     EXPECT_GT(aside, 5);
 }
 
