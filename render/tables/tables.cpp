@@ -312,23 +312,18 @@ private:
             if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / si;
             row.unit = unit.symbol;
             row.group.section = kind.is_velocity() ? Topic::velocity : Topic::acceleration;
-            add_to_its_like(std::move(row), first, [&](const ResultRow& other) {
+            add(std::move(row), first, [&](const ResultRow& other) {
                 return *value == *(solution_.bodies[at_index(other.quantity.body)].*turning);
             });
         }
     }
 
-    /// Behind the last row from `first` on that is like it; else at the end.
+    /// With the number of a row from `first` on that is like it; else with a new one.
     template <class IsLike>
-    void add_to_its_like(ResultRow row, std::size_t first, IsLike is_like) {
-        const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(first);
-        auto place = std::find_if(begin, rows_.end(), is_like);
-        if (place != rows_.end()) {
-            row.repeats = true;
-            do ++place;
-            while (place != rows_.end() && place->repeats);
-        }
-        rows_.insert(place, std::move(row));
+    void add(ResultRow row, std::size_t first, IsLike is_like) {
+        const auto like = std::find_if(rows_.begin() + static_cast<std::ptrdiff_t>(first), rows_.end(), is_like);
+        row.arrow = like != rows_.end() ? like->arrow : ++arrows_;
+        rows_.push_back(std::move(row));
     }
 
     /// Radii of curvature of paths that are not known in advance.
@@ -395,7 +390,7 @@ private:
             if (const auto numeric = checks_.of_vector(v)) row.numeric = *numeric / unit.si.to_double();
             row.unit = unit.symbol;
             row.group = group;
-            add_to_its_like(std::move(row), first, [&](const ResultRow& other) {
+            add(std::move(row), first, [&](const ResultRow& other) {
                 const DrawnVector& like = *arrows.at(other.name);
                 return solution_.protocol.value_of(like) == value &&
                        (value.is_zero() ||
@@ -409,6 +404,7 @@ private:
     const std::vector<Figure>& figures_;
     CheckedNumbers checks_;
     std::vector<ResultRow> rows_;
+    std::size_t arrows_ = 0;  // numbered so far
 };
 
 }  // namespace
@@ -425,15 +421,16 @@ struct ResultsTable::Parts {
     using Widths = std::array<double, columns>;
     struct Line {
         std::array<RichText, columns> cells;
-        bool begins = false;   ///< first of a group, with a rule above it
-        bool repeats = false;  ///< as in its row
-        double name = 0;       ///< width of the first cell, mm
+        bool begins = false;    ///< first of a group, with a rule above it
+        std::size_t arrow = 0;  ///< as in its row
+        double name = 0;        ///< width of the first cell, mm
     };
-    /// Rows that stand in one line of the table.
+    /// Rows that stand in one line of the table, at the place of the first.
     struct Joined {
-        const Line* first = nullptr;
-        std::size_t count = 1;
+        std::vector<const Line*> rows;
         double name = 0;  ///< width of their names, mm
+
+        const Line& first() const { return *rows.front(); }
     };
 
     Parts(const DrawingContext& drawing, const std::vector<ResultRow>& rows) : context(drawing) {
@@ -463,18 +460,18 @@ struct ResultsTable::Parts {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             Line& line = lines.emplace_back(line_of(with_worst_check(rows, i), largest[{rows[i].group, rows[i].unit}]));
             line.begins = i > 0 && rows[i].group != rows[i - 1].group;
-            line.repeats = rows[i].repeats;
+            line.arrow = rows[i].arrow;
             measure(line, symbol_size(), context.theme.body_text);
         }
     }
 
-    /// A line that several rows share shows the number of the check that differs most.
+    /// Rows that may share a line show the number of the check that differs most.
     static ResultRow with_worst_check(const std::vector<ResultRow>& rows, std::size_t i) {
         ResultRow row = rows[i];
-        for (++i; i < rows.size() && rows[i].repeats; ++i)
-            if (const std::optional<double>& other = rows[i].numeric;
-                other && (!row.numeric || std::abs(*other - row.drawing) > std::abs(*row.numeric - row.drawing)))
-                row.numeric = other;
+        for (const ResultRow& other : rows)
+            if (row.arrow != 0 && other.arrow == row.arrow && other.numeric &&
+                (!row.numeric || std::abs(*other.numeric - row.drawing) > std::abs(*row.numeric - row.drawing)))
+                row.numeric = other.numeric;
         return row;
     }
 
@@ -503,25 +500,29 @@ struct ResultsTable::Parts {
         constexpr double of_symbols = 22;
         return std::max(rest, of_symbols);
     }
-    /// What repeats, in as few lines as its names have room for in `rest` mm.
+    /// In order; what is one arrow in as few lines as its names have room for in `rest` mm.
     std::vector<Joined> joined(double rest) const {
         constexpr double of_a_detail = 5;  // mm: a name grows by it where it is read in a detail
         const double comma = context.fonts.width(one_piece(separator), symbol_size());
         std::vector<Joined> all;
         for (const Line& line : lines) {
-            if (line.repeats && all.back().name + comma + line.name + of_a_detail <= rest) {
-                ++all.back().count;
-                all.back().name += comma + line.name;
+            const auto with = std::find_if(all.begin(), all.end(), [&](const Joined& each) {
+                return line.arrow != 0 && each.first().arrow == line.arrow &&
+                       each.name + comma + line.name + of_a_detail <= rest;
+            });
+            if (with == all.end()) {
+                all.push_back({{&line}, line.name});
             } else {
-                all.push_back({&line, 1, line.name});
+                with->rows.push_back(&line);
+                with->name += comma + line.name;
             }
         }
         return all;
     }
     static RichText name_of(const Joined& all) {
-        RichText names = all.first->cells[0];
-        for (const Line* line = all.first + 1; line < all.first + all.count; ++line) {
-            names.push_back(one_piece(separator).front());
+        RichText names;
+        for (const Line* line : all.rows) {
+            if (line != all.rows.front()) names.push_back(one_piece(separator).front());
             names.insert(names.end(), line->cells[0].begin(), line->cells[0].end());
         }
         return names;
@@ -578,9 +579,9 @@ ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, dou
 }
 
 void ResultsTable::Parts::set(std::vector<Mark>& marks, const Joined& of, const Widths& left, double baseline) const {
-    const double size = of.first == &head ? context.theme.small : symbol_size();
+    const double size = &of.first() == &head ? context.theme.small : symbol_size();
     set_text(marks, context.fonts.shape(name_of(of), size), {left[0], baseline}, context.theme.text, "text");
-    set_numbers(marks, *of.first, left, baseline);
+    set_numbers(marks, of.first(), left, baseline);
 }
 
 void ResultsTable::Parts::set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole,
@@ -635,7 +636,7 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
 
     const auto line = [parts = parts_, left, whole, is_over](const Parts::Joined& of, double height, bool is_last) {
         const Theme& theme = parts->context.theme;
-        const Parts::Line& each = *of.first;
+        const Parts::Line& each = of.first();
         std::vector<Mark> marks;
         marks.reserve(Parts::columns + 3);  // including rules
         const bool is_head = &each == &parts->head;
@@ -654,9 +655,9 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
         set.emplace_back(whole, height + (is_last ? under_last : 0), [=] { return line(each, height, is_last); });
     };
     std::vector<SharedBlock> set;
-    add(set, {&parts_->head}, head_height, joined.empty());
+    add(set, {{&parts_->head}}, head_height, joined.empty());
     for (const Parts::Joined& each : joined)
-        add(set, each, pitch + (each.first->begins ? over_group : 0) + (is_over(each) ? Parts::name_pitch : 0),
+        add(set, each, pitch + (each.first().begins ? over_group : 0) + (is_over(each) ? Parts::name_pitch : 0),
             &each == &joined.back());
     return set;
 }

@@ -38,13 +38,13 @@ struct ResultRow {
     std::optional<double> numeric;      ///< by the check, in `unit`
     std::string unit;
     RowGroup group;
-    bool repeats = false;  ///< the same arrow, or the same turning, as the row before: they share a line of the table
+    std::size_t arrow = 0;  ///< the same for rows of one arrow, or one turning: they share a line of the table; 0: none
 };
 /// Rows for the vectors drawn on `figures` (measured along their axes) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
 /// The results as a table: the length read off the drawing to 0.1 mm, that times the scale, the number of the check,
-/// and the deviation of the reading. What repeats stands in one line, as far as the names have room. Words are measured
-/// once, so several widths can be tried. The context must outlive the table.
+/// and the deviation of the reading. What is one arrow stands in one line, as far as the names have room. Words are
+/// measured once, so several widths can be tried. The context must outlive the table.
 class ResultsTable {
 public:
     ResultsTable(const DrawingContext& context, const std::vector<ResultRow>& rows);
